@@ -117,22 +117,16 @@ int display_open_window(struct terminal *t)
     return isatty(t->output.fd) ? TIA_OK : display_failed(t, "is not a terminal");
 }
 
-/* True for a terminal that only prints characters, or of which nothing is known. */
-static bool is_dumb(const char *term)
-{
-    return !term || !*term || strcmp(term, "dumb") == 0;
-}
-
 int display_environment(struct terminal *t)
 {
     const char *term = getenv("TERM");
 
-    if (is_dumb(term) && !t->in_line)
+    if (terminal_is_dumb(term) && !t->in_line)
         return display_failed(t, "cannot place a cursor (--inline prints a picture; set TERM if it can)");
     t->colours = colours_of(term, getenv("COLORTERM"));
     t->grid.direct = t->colours == COLOURS_DIRECT;
     t->grid.letters = t->colours == COLOURS_NONE;
-    t->grid.few = t->symbols.few = t->colours == COLOURS_16 || t->colours == COLOURS_CONSOLE;
+    t->grid.few = t->symbols.few = colours_are_few(t->colours);
     t->grid.dim_back = t->colours == COLOURS_CONSOLE;
     t->grid.spaces = !locale_is_utf8() && !t->grid.letters;
     t->titles = title_is_shown(term);
@@ -163,7 +157,7 @@ int display_choose_pictures(struct terminal *t)
     t->pictures = t->way.pictures;
     if (t->way.chosen)
         why = pictures_need(t->output.fd, t->pictures, &t->cell);
-    else if (!is_dumb(getenv("TERM")))
+    else if (!terminal_is_dumb(getenv("TERM")))
         t->pictures = pictures_find(t->output.fd, &t->cell);
     if (t->pictures == PICTURES_SYMBOLS && symbols_need(t) && !t->way.chosen)
         t->pictures = PICTURES_HALF_BLOCKS;

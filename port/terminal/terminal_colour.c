@@ -88,20 +88,28 @@ static bool has_sixteen(const char *term)
     return strcmp(term, "ansi") == 0 || strcmp(term, "cygwin") == 0 || ends_with(term, "-16color");
 }
 
+bool terminal_is_dumb(const char *term)
+{
+    return !term || !*term || strcmp(term, "dumb") == 0;
+}
+
+bool terminal_is_dec(const char *term)
+{
+    return strncmp(term, "vt", 2) == 0 && term[2] >= '1' && term[2] <= '4';
+}
+
 /* True for terminals that terminfo has without colours: DEC's up to the VT420, monochrome variants, and those that are
  * not known. */
 static bool has_none(const char *term)
 {
-    bool dec = strncmp(term, "vt", 2) == 0 && term[2] >= '1' && term[2] <= '4';
-
-    return *term == '\0' || strcmp(term, "dumb") == 0 || dec || ends_with(term, "-m") || ends_with(term, "-mono");
+    return terminal_is_dumb(term) || terminal_is_dec(term) || ends_with(term, "-m") || ends_with(term, "-mono");
 }
 
 enum colours colours_of(const char *term, const char *colorterm)
 {
     if (colour_is_direct(term, colorterm))
         return COLOURS_DIRECT;
-    if (!term || has_none(term))
+    if (has_none(term))
         return COLOURS_NONE;
     if (strcmp(term, "linux") == 0)
         return COLOURS_CONSOLE;

@@ -12,6 +12,18 @@ struct rgb8 {
  * none. */
 enum colours { COLOURS_DIRECT, COLOURS_256, COLOURS_16, COLOURS_CONSOLE, COLOURS_NONE };
 
+/* True for a terminal that only prints characters, or of which nothing is known. */
+bool terminal_is_dumb(const char *term);
+
+/* True for DEC's terminals up to the VT420, which have no colours. */
+bool terminal_is_dec(const char *term);
+
+/* True for the two kinds of 16 colours. */
+static inline bool colours_are_few(enum colours colours)
+{
+    return colours == COLOURS_16 || colours == COLOURS_CONSOLE;
+}
+
 /* Returns the colours of a terminal with these environment variables (NULL: not set). */
 enum colours colours_of(const char *term, const char *colorterm);
 

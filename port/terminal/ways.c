@@ -26,7 +26,7 @@ bool ways_find(const char *name, struct way *way)
 
 const char *ways_format(enum pictures pictures, enum colours colours)
 {
-    bool direct = colours == COLOURS_DIRECT, few = colours == COLOURS_16 || colours == COLOURS_CONSOLE;
+    bool direct = colours == COLOURS_DIRECT, few = colours_are_few(colours);
 
     switch (pictures) {
     case PICTURES_KITTY:

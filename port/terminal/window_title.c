@@ -3,14 +3,11 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "terminal_colour.h"
+
 bool title_is_shown(const char *term)
 {
-    static const char *const without[] = {"dumb", "linux", "vt"};
-
-    for (size_t i = 0; i < sizeof without / sizeof without[0]; i++)
-        if (!term || !*term || strncmp(term, without[i], strlen(without[i])) == 0)
-            return false;
-    return true;
+    return !terminal_is_dumb(term) && !terminal_is_dec(term) && strncmp(term, "linux", 5) != 0;
 }
 
 void title_sequence(char sequence[TITLE_SIZE], const char *title)

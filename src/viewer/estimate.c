@@ -5,18 +5,17 @@
  * samples in runs of neighbours, of which the later passes consist; only the last pass of blocks has both.
  *
  * So each tile's cost is measured by the pixels that it drew one by one in the passes before that, and the ratio of the
- * two costs by the tiles that have drawn runs. Of each block of FIRST x FIRST pixels,
+ * two costs by the tiles that have drawn runs. Of the first pass's blocks, of AREA pixels each,
  *   half the pixels have their first sample drawn alone: in 1, 3, 12, 48 and 64 pixels by the passes of blocks;
- *   all other samples, of FIRST^2 * spp, are drawn in runs.
+ *   all other samples, of AREA * spp, are drawn in runs.
  *
  * Before there are runs, their samples are taken to cost 4/5 of others: in the gallery's scenes without sampling they
  * cost 0.6 to 1. This assumption stays with a weight of 1/64 of the runs of the last pass of blocks, so that the first
  * tile does not decide the ratio. */
 #include "loop.h"
 
-#define FIRST (UINT32_C(1) << (VIEWER_PASSES - 1))
-#define AREA (FIRST * FIRST)
-#define QUARTER (AREA / 4) /* pixels that the passes before the last pass of blocks draw */
+#define AREA (VIEWER_FIRST_BLOCK * VIEWER_FIRST_BLOCK) /* pixels of a block of the first pass */
+#define QUARTER (AREA / 4)                             /* pixels that the passes before the last pass of blocks draw */
 
 /* Times of tiles as if they had drawn just a quarter of the pixels, one by one; microseconds. */
 struct costs {
@@ -28,7 +27,7 @@ struct costs {
 static uint32_t drawn_alone(const struct loop *loop, unsigned passes)
 {
     if (tia_viewer_by_rows(loop))
-        return passes ? passes > 1 ? AREA : FIRST : 0;
+        return passes ? passes > 1 ? AREA : VIEWER_FIRST_BLOCK : 0;
     return passes ? passes < VIEWER_PASSES ? UINT32_C(1) << 2 * (passes - 1) : AREA / 2 : 0;
 }
 

@@ -13,7 +13,8 @@
 
 #define VIEWER_PERIOD_US 16666 /* period of a display of 60 Hz */
 #define VIEWER_PASSES 5        /* number of passes of blocks, of 16, 8, 4, 2 and 1 pixels; later passes add samples */
-#define VIEWER_QUEUE 8         /* largest number of events queued while a frame is drawn; a full queue ends the frame */
+#define VIEWER_FIRST_BLOCK (1u << (VIEWER_PASSES - 1)) /* size of the blocks of the first pass */
+#define VIEWER_QUEUE 8 /* largest number of events queued while a frame is drawn; a full queue ends the frame */
 
 /* Statuses besides tia_status. */
 #define VIEWER_QUIT 10     /* a key ended the loop */

@@ -2,13 +2,12 @@
  * or whole rows. */
 #include "loop.h"
 
-#define FIRST_BLOCK (1u << (VIEWER_PASSES - 1))
 #define ROW_PASSES 2u
 #define SUMS_MAX (UINT32_C(1) << 23) /* largest number of pixels with sums: 192 MiB; 3840x2160 is just below */
 
 unsigned tia_viewer_block(unsigned pass)
 {
-    return pass < VIEWER_PASSES ? FIRST_BLOCK >> pass : 1;
+    return pass < VIEWER_PASSES ? VIEWER_FIRST_BLOCK >> pass : 1;
 }
 
 bool tia_viewer_by_rows(const struct loop *loop)
@@ -63,7 +62,7 @@ uint32_t tia_viewer_share(const struct loop *loop, unsigned passes)
     unsigned left = passes < VIEWER_PASSES ? VIEWER_PASSES - passes : 0;
 
     if (!passes || tia_viewer_by_rows(loop))
-        return passes < ROW_PASSES ? passes * (UINT32_C(65536) / FIRST_BLOCK) : 65536;
+        return passes < ROW_PASSES ? passes * (UINT32_C(65536) / VIEWER_FIRST_BLOCK) : 65536;
     return (uint32_t)((UINT64_C(65536) >> 2 * left) * tia_viewer_samples(loop, passes) / viewer_spp(loop));
 }
 
@@ -175,7 +174,7 @@ static int draw_blocks(struct loop *loop, struct tia_tile tile, unsigned size, u
     unsigned x = tile.x, y = tile.y;
     int status;
 
-    if (size == FIRST_BLOCK)
+    if (size == VIEWER_FIRST_BLOCK)
         return draw_grid(loop, tile, (struct pixel_grid){x, y, size, size, size}, drawn);
     status = draw_grid(loop, tile, (struct pixel_grid){x + size, y, 2 * size, 2 * size, size}, drawn);
     return status ? status : draw_grid(loop, tile, (struct pixel_grid){x, y + size, size, 2 * size, size}, drawn);
@@ -189,7 +188,7 @@ static int draw_more(struct loop *loop, struct tia_tile tile)
 
     if (!loop->gazes)
         return draw_grid(loop, tile, (struct pixel_grid){tile.x, tile.y, 1, 1, 1}, &counted);
-    for (unsigned size = FIRST_BLOCK; size && !status; size /= 2)
+    for (unsigned size = VIEWER_FIRST_BLOCK; size && !status; size /= 2)
         status = draw_blocks(loop, tile, size, &counted);
     return status;
 }
@@ -210,8 +209,8 @@ static int draw_rows(struct loop *loop, struct tia_tile tile, uint32_t *drawn)
     unsigned bottom = (unsigned)tile.y + tile.height, skipped = loop->pass ? 1 : 0;
     int status = TIA_OK;
 
-    for (unsigned y = tile.y; y + skipped < bottom && !status; y += FIRST_BLOCK) {
-        unsigned end = at_most(y + FIRST_BLOCK, bottom), rows = loop->pass ? end - y - skipped : 1;
+    for (unsigned y = tile.y; y + skipped < bottom && !status; y += VIEWER_FIRST_BLOCK) {
+        unsigned end = at_most(y + VIEWER_FIRST_BLOCK, bottom), rows = loop->pass ? end - y - skipped : 1;
         struct tia_tile pixels = {tile.x, (uint16_t)(y + skipped), tile.width, (uint16_t)rows};
 
         status = draw_pixels(loop, pixels);

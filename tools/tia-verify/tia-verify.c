@@ -88,8 +88,8 @@ int main(int argc, char **argv)
         "       tia-verify PICTURE RECORD\n"
         "       tia-verify --benchmark LINE\n"
         "Draws random rows of a picture or film by tia again and compares their bits,\n"
-        "without a threshold; or draws what a record of --record tells; or compares a\n"
-        "picture with its record; or verifies a result of tia --benchmark.\n"
+        "without a threshold; or draws the picture that a record describes; or compares\n"
+        "a picture with its record; or verifies a result of tia --benchmark.\n"
         "\n",
         rows,
         "\n"

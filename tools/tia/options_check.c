@@ -143,7 +143,7 @@ static int check_drm(struct options *options)
     return EXIT_FINE;
 }
 
-/* Tells why a file whose name has no extension of a format is no scene: it may not even exist. */
+/* Refuses a file without the extension of a format; the reason may be that there is no such file. */
 static int refuse_format(const char *path)
 {
     struct stat status;

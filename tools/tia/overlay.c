@@ -15,7 +15,7 @@
 #define HINT_MOVE "arrows move it"
 #define HINT_QUIT "other keys quit"
 
-/* The two keys of other scenes that tell or end all. */
+/* The keys of other scenes for help and to quit. */
 #define HINT_HELP "?: help"
 #define HINT_END "q: quit"
 
@@ -105,18 +105,22 @@ static void add_moves(const struct overlay *overlay, struct lines *lines)
         add_line(lines, "paused");
 }
 
+static unsigned percent(const struct tia_frame *frame)
+{
+    return frame->done * 100u >> 16;
+}
+
 /* Writes how much of a coarse picture is drawn, the time passed if --progress asks for it, and the time left. */
 static void format_progress(const struct overlay *overlay, const struct tia_frame *frame, char text[PROGRESS_SIZE])
 {
-    unsigned percent = frame->done * 100u >> 16;
     char passed[PROGRESS_TIME], left[PROGRESS_TIME];
 
     progress_time(passed, (double)frame->draw_us / 1e6);
     progress_time(left, (double)frame->left_us / 1e6);
     if (overlay->options->progress)
-        (void)snprintf(text, PROGRESS_SIZE, "%u %%, %s passed, %s left", percent, passed, left);
+        (void)snprintf(text, PROGRESS_SIZE, "%u %%, %s passed, %s left", percent(frame), passed, left);
     else
-        (void)snprintf(text, PROGRESS_SIZE, "%u %%, %s left", percent, left);
+        (void)snprintf(text, PROGRESS_SIZE, "%u %%, %s left", percent(frame), left);
 }
 
 void overlay_text(struct overlay *overlay, const struct tia_frame *frame, char *text, size_t size)
@@ -164,7 +168,7 @@ __attribute__((format(printf, 2, 3))) static void add_part(struct overlay *overl
 static void set_window(struct overlay *overlay, const struct tia_frame *frame, const char *name)
 {
     if (frame->block > 1)
-        (void)snprintf(overlay->window_title, sizeof overlay->window_title, "%s %u %%", name, frame->done * 100u >> 16);
+        (void)snprintf(overlay->window_title, sizeof overlay->window_title, "%s %u %%", name, percent(frame));
     else
         (void)snprintf(overlay->window_title, sizeof overlay->window_title, "%s", name);
 }

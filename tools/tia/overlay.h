@@ -18,7 +18,7 @@ struct overlay {
     unsigned width, height, threads;
     const struct moves *moves;             /* NULL, or the source of the keys' messages */
     const struct tia_viewer_state *viewer; /* the changes that keys have made */
-    bool hints; /* tell keys: in a status always, else on the picture, of the built-in scene until it has a light or,
+    bool hints; /* name keys: in a status always, else on the picture, of the built-in scene until it has a light or,
                    with --keys, never; of others until one is complete */
     struct port_text text;                           /* the text for a display that has it */
     char status[256], notes[1024], window_title[96]; /* strings of `text` */

@@ -47,6 +47,12 @@ int session_open_input(struct session *session, const struct port_input *port)
     return EXIT_FINE;
 }
 
+/* True if a terminal prints pictures where the cursor is. */
+static bool prints(const struct options *options)
+{
+    return options->in_line || options->frames == 1;
+}
+
 static struct port_wish display_wish(struct session *session)
 {
     const struct options *options = session->options;
@@ -56,15 +62,9 @@ static struct port_wish display_wish(struct session *session)
                               .height = swaps ? options->width : options->height,
                               .connector = options->connector,
                               .mode = options->mode,
-                              .in_line = options->in_line || options->frames == 1,
+                              .in_line = prints(options),
                               .row = true,
                               .why = session->why};
-}
-
-/* True if pictures are printed where the cursor is. */
-static bool prints(const struct options *options, const struct port_display *port)
-{
-    return strcmp(port->name, "terminal") == 0 && (options->in_line || options->frames == 1);
 }
 
 /* Shows the progress of pictures that are printed, since nothing is seen before they are complete. */
@@ -101,7 +101,7 @@ int session_open_display(struct session *session, const struct port_display *por
     int status = letterbox_display.open(&session->letterbox, &session->mode);
     if (status == TIA_ERR_MEMORY)
         return EXIT_RUNNING;
-    if (!status && prints(options, port))
+    if (!status && strcmp(port->name, "terminal") == 0 && prints(options))
         begin_progress(session);
     return !status ? EXIT_FINE : EXIT_DISPLAY;
 }
