@@ -289,6 +289,11 @@ def long(case):
     return case
 
 
+def one_line(why):
+    """The lines of an exception's text, those of a failed program's output among them, beside each other."""
+    return " | ".join(line.strip() for line in str(why).splitlines() if line.strip())
+
+
 def run_cases(cases):
     """Each case, a function, runs in an empty directory of its own. Names on the command line choose."""
     failed = False
@@ -305,11 +310,11 @@ def run_cases(cases):
         except Skip as why:
             print(f"skip {case.__name__}: {why}")
         except AssertionError as why:
-            print(f"FAIL {case.__name__}: {str(why).splitlines()[0] if str(why) else 'failed'}")
+            print(f"FAIL {case.__name__}: {one_line(why) or 'failed'}")
             failed = True
         except Exception as why:        # pylint: disable=broad-except
             traceback.print_exc()
-            print(f"FAIL {case.__name__}: {type(why).__name__}: {str(why).splitlines()[:1]}")
+            print(f"FAIL {case.__name__}: {type(why).__name__}: {one_line(why)}")
             failed = True
         finally:
             os.chdir(home)
