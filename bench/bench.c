@@ -1,13 +1,14 @@
 /* bench.c - milliseconds per frame on one core: a full frame, a frame with only the light moved, and the textbook loop
  * in float. The three are measured in turn, so that a change of the machine's speed affects them alike. Prints the
  * median of each and of their ratios. With a part's name as its argument it measures that part alone: thesis, levels,
- * threads, rays, simd-rays, paths, radio, raster, tinygl, shadows, shadow-frames, shadow-files or light-fields. For
- * simd-rays and shadow-files, a second argument selects the scenes whose names contain it. */
+ * threads, crowds, rays, simd-rays, paths, radio, raster, tinygl, shadows, shadow-frames, shadow-files or light-fields.
+ * For crowds, simd-rays and shadow-files, a second argument selects the scenes whose names contain it. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <tia/tia.h>
 
+#include "crowds.h"
 #include "float_loop.h"
 #include "lightfield.h"
 #include "milliseconds.h"
@@ -110,6 +111,7 @@ static const struct part {
 } parts[] = {{"thesis", measure_frames},
              {"levels", bench_simd},
              {"threads", bench_threads},
+             {"crowds", bench_crowds},
              {"rays", bench_rays},
              {"simd-rays", bench_simd_rays},
              {"paths", bench_paths},

@@ -42,19 +42,20 @@ static void try_lights(const struct tried *p)
 {
     const struct tia_view *view = p->fine->view;
 
-    for (uint32_t l = 0; l < view->light_count; l++) {
+    for (int l = 0; l < p->fine->lights; l++) {
+        const struct simd_lamp *lamp = p->fine->light[l].lamp;
         const struct simd_light *light = &p->run->light[l];
         const struct simd_bounds *b = &p->fine->light[l].bounds;
         F square = square_of(light, f_set(p->x), &p->value);
         F cosine = lambert_of(light, f_set(p->x), &p->value, square);
         struct truth_way way;
         quad q[3];
-        truth_place(view->scene, view->lights[l].centre, q);
+        truth_place(view->scene, view->lights[lamp - p->fine->lamps].centre, q);
         truth_look(&p->truth, q, &way);
         use(&bounds[SQUARE], (real)(square[0] * p->t * p->t / way.square - 1), b->square);
         use(&bounds[LAMBERT], (real)(cosine[0] - way.cosine), b->lambert);
         for (int j = 0; j < p->run->light[l].casts; j++)
-            try_caster(p, &way, (int)l, j);
+            try_caster(p, &way, l, j);
     }
 }
 

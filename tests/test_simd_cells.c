@@ -164,7 +164,7 @@ static void try_cells(const struct simd_fine *f, const struct simd_run *r, struc
     for (int cell = 0; cell < count; cell++) {
         float low = fminf(cells->d[cell], cells->d[cell + 1]);
         M good;
-        if (!(cells->good >> cell & 1))
+        if (!(cells->good >> cell & 1) || r->lights == 0)
             continue;
         flat += cells->flat >> cell & 1;
         struct motion motion = motion_over(r, cells, cell, &good);
@@ -192,7 +192,7 @@ static void try_run(const struct simd_fine *run)
     tia_simd_dither(false, fine.row->y, &dither);
     tia_simd_run(&fine, &dither, &r);
     const struct body k = body_of(&r);
-    bool free = r.lights == 1 && r.light[0].casts == 0 && fine.light[0].lamp->shades == 0;
+    bool free = run->view->light_count == 1 && r.lights == 1 && r.light[0].casts == 0 && fine.light[0].lamp->shades == 0;
     for (int i = 0; free && i < r.count; i += 5 * N)
         try_levels(&fine, &r, &k, i);
     if (count < 1)
@@ -268,7 +268,8 @@ static void no_less(const struct simd_fine *kept, const struct simd_fine *alone)
         return; /* it leaves out more pixels, so the other bounds are not comparable */
     CHECK(a->es >= b->es && a->et >= b->et && a->floor <= b->floor);
     CHECK(kept->near31 <= alone->near31 && kept->near63 <= alone->near63);
-    for (uint32_t l = 0; l < kept->view->light_count; l++) {
+    CHECK(kept->lights == alone->lights);
+    for (int l = 0; l < kept->lights; l++) {
         const struct simd_fine_light *p = &kept->light[l], *q = &alone->light[l];
         CHECK(p->bounds.lambert >= q->bounds.lambert && p->bounds.square >= q->bounds.square);
         CHECK(p->bounds.distance <= q->bounds.distance);

@@ -99,7 +99,7 @@ static void try_pixel(const struct seat *seat, quad depth, int x)
 static void try_run(const struct simd_fine *run)
 {
     static const num_u threshold[THRESHOLDS];
-    const struct simd_pixels pixels = {run->view, run->row, run->sphere, run->first, threshold, NULL};
+    const struct simd_pixels pixels = {run->view, run->row, run->sphere, run->lamps, run->first, threshold, NULL};
     quad depth = truth_depth((unsigned)run->view->height, run->view->scene->camera.fov);
     struct seat seat;
 

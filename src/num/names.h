@@ -96,6 +96,8 @@
 #define span_put_colours NAMES(span_put_colours)
 #define coherence_nearer NAMES(coherence_nearer)
 #define coherence_shadows NAMES(coherence_shadows)
+#define coherence_near NAMES(coherence_near)
+#define coherence_surround NAMES(coherence_surround)
 #define span_shift_apart NAMES(span_shift_apart)
 #define span_bits_apart NAMES(span_bits_apart)
 #define span_power_apart NAMES(span_power_apart)

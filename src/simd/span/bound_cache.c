@@ -31,7 +31,7 @@ static int limits_of(const struct simd_fine *fine, double limit[FORMS_MOST])
     limit[SQUARE_MOST] = place->square_most;
     limit[SQUARE_LEAST] = -place->square_least;
     limit[V_MOST] = place->v_most;
-    for (uint32_t l = 0; l < fine->view->light_count; l++) {
+    for (int l = 0; l < fine->lights; l++) {
         const struct simd_fine_light *light = &fine->light[l];
         limit[n++] = size_of(light->g, place);
         limit[n++] = size_of(light->q, place);
@@ -85,7 +85,7 @@ static bool derive(struct simd_fine *fine, const double *limit)
     if (!(seen.b_least > 0 && fine->depth.es + fine->depth.et < BOUND(SPAN_KNOWN)))
         return false;
     limit += FORMS;
-    for (uint32_t l = 0; l < fine->view->light_count; l++) {
+    for (int l = 0; l < fine->lights; l++) {
         struct simd_fine_light *light = &fine->light[l];
         limit = light_bounds(fine, light, &place, limit);
         if (!limit)
@@ -120,7 +120,7 @@ static void keep(const struct simd_fine *fine, struct simd_bound_cache *cache)
     cache->depth = fine->depth;
     cache->near31 = fine->near31;
     cache->near63 = fine->near63;
-    for (uint32_t l = 0; l < fine->view->light_count; l++) {
+    for (int l = 0; l < fine->lights; l++) {
         cache->light[l] = fine->light[l].bounds;
         for (int j = 0; j < fine->light[l].lamp->casts; j++)
             cache->cast[n++] = fine->light[l].cast[j].bounds;
@@ -134,7 +134,7 @@ static void take_cached(const struct simd_bound_cache *cache, struct simd_fine *
     fine->depth = cache->depth;
     fine->near31 = cache->near31;
     fine->near63 = cache->near63;
-    for (uint32_t l = 0; l < fine->view->light_count; l++) {
+    for (int l = 0; l < fine->lights; l++) {
         fine->light[l].bounds = cache->light[l];
         for (int j = 0; j < fine->light[l].lamp->casts; j++)
             fine->light[l].cast[j].bounds = cache->cast[n++];

@@ -152,11 +152,13 @@ INLINE M light_cells(const struct simd_run *r, int l, F x, const struct value *o
     gained->lost = f_fma(BOUND_OF_FLOATS(SPAN_CELL_LOST, off), f_set(q->colour_most), gained->lost);
     if (casts) {
         F far = f_fma(larger_end(cells->far[l] + i), f_set(1 + (float)BOUND(SPAN_CELL_FAR)), half);
-        for (int j = 0; j < casts && m_any(m_not(away)); j++) {
+        struct shades shades = {f_gt(zero, zero), f_gt(zero, zero)};
+        for (int j = 0; j < casts && m_any(m_not(m_or(away, shades.blocked))); j++) {
             struct verdict v = judge_cell(&q->cast[j], x, o, square, half, per_d, far, 1 / (r->c * r->c));
-            good = m_and(good, m_or(away, m_or(v.lit, v.dark)));
+            shade_by(&q->cast[j], v, &shades);
             tint_by(&q->cast[j], v.dark, tint, channels);
         }
+        good = m_and(good, m_or(away, m_or(shades.blocked, m_not(shades.open))));
     }
     add_range(cells, l, i, lambert_of(q, x, o, square), tint, q, channels, gained);
     if (r->tied)

@@ -160,26 +160,27 @@ static bool is_black(const double colour[3])
 }
 
 /* Multiplies `tint` by the transmissions of all spheres that shadow the light, and counts these in *passed; false when
- * one of them is undecided. */
+ * one of them is undecided, unless the others leave no light. */
 static bool cast_shadows(const struct seat *seat, const struct simd_lamp *lamp, const struct point *o,
                          const struct way *way, double tint[3], int *passed)
 {
     const struct tia_scene *scene = seat->pixels->view->scene;
     const struct span_sphere *spheres = span_view_of(seat->pixels->view)->spheres;
 
+    bool open = false;
+
     for (int i = 0; i < lamp->casts; i++) {
         uint32_t j = lamp->cast[i].sphere;
         enum shadow shadow = shadow_at(o, way, lamp->light, &spheres[j]);
-        if (shadow == OPEN)
-            return false;
-        if (shadow == LIT)
+        open = open || shadow == OPEN;
+        if (shadow != DARK)
             continue;
         pass(scene, j, tint);
         if (is_black(tint))
             return true;
         ++*passed;
     }
-    return true;
+    return !open;
 }
 
 static double at_most_1(double a)
@@ -244,7 +245,7 @@ static bool draw(const struct seat *seat, int x, tia_rgb565 *out)
     if (!find_point(seat, x, &o))
         return false;
     for (uint32_t l = 0; l < view->light_count; l++)
-        if (!add_light(seat, simd_lamp_of(view, seat->pixels->sphere, l), &o, &sum))
+        if (!add_light(seat, &seat->pixels->lamps[l], &o, &sum))
             return false;
     if (!quantise(&sum, 0, own->r, 31, threshold, &r) || !quantise(&sum, seat->grey ? 0 : 1, own->g, 63, threshold, &g))
         return false;

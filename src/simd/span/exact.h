@@ -11,6 +11,7 @@ struct simd_pixels {
     const struct tia_view *view;
     const struct simd_row *row;
     uint32_t sphere;
+    const struct simd_lamp *lamps; /* of the sphere, one for each light */
     int first;
     const num_u *threshold;
     tia_rgb565 *out;

@@ -125,20 +125,35 @@ INLINE void tint_by(const struct simd_cast *c, M dark, F tint[3], int channels)
         tint[i] = f_sel(dark, f_mul(tint[i], f_set(c->clear ? c->through[i] : 0)), tint[i]);
 }
 
+/* What casters do to a light: where an opaque one certainly blocks it (`blocked`), it does not matter whether others do
+ * (`open`: it is undecided whether some one does). */
+struct shades {
+    M blocked, open;
+};
+
+INLINE void shade_by(const struct simd_cast *c, struct verdict v, struct shades *shades)
+{
+    shades->open = m_or(shades->open, m_not(m_or(v.lit, v.dark)));
+    if (!c->clear)
+        shades->blocked = m_or(shades->blocked, v.dark);
+}
+
 INLINE M add_light(const struct simd_light *q, F x, const struct value *o, F sum[3], int channels, int casts)
 {
     const F one = f_set(1), zero = f_set(0);
     F square = square_of(q, x, o), lambert = f_min(one, f_max(zero, lambert_of(q, x, o, square)));
-    M facing = f_gt(lambert, zero), good = f_ge(lambert, zero); /* false where it is NaN */
+    M facing = f_gt(lambert, zero), good = f_ge(lambert, zero), none = f_gt(zero, zero); /* false where it is NaN */
     F tint[3] = {one, one, one};
+    struct shades shades = {none, none};
 
-    if (casts && m_any(facing))
-        for (int j = 0; j < casts; j++) {
-            struct toward t = toward_caster(&q->cast[j], x, o);
-            struct verdict v = judge(&q->cast[j], &t, square, zero, zero);
-            good = m_and(good, m_or(m_not(facing), m_or(v.lit, v.dark)));
-            tint_by(&q->cast[j], v.dark, tint, channels);
-        }
+    for (int j = 0; j < casts && m_any(m_and(facing, m_not(shades.blocked))); j++) {
+        struct toward t = toward_caster(&q->cast[j], x, o);
+        struct verdict v = judge(&q->cast[j], &t, square, zero, zero);
+        shade_by(&q->cast[j], v, &shades);
+        tint_by(&q->cast[j], v.dark, tint, channels);
+    }
+    if (casts)
+        good = m_and(good, m_or(m_not(facing), m_or(shades.blocked, m_not(shades.open))));
     for (int c = 0; c < channels; c++)
         sum[c] = f_min(one, f_fma(casts ? f_mul(lambert, tint[c]) : lambert, f_set(q->colour[c]), sum[c]));
     return good;

@@ -1,6 +1,7 @@
 /* light.c - draws a tile by vector units: divides it into rows, and rows into runs of one object, and chooses a method
  * for each run. */
 #include "bound_cache.h"
+#include "crowd.h"
 #include "exact.h"
 #include "render/span/span_shade.h"
 #include "seen.h"
@@ -18,6 +19,11 @@ bool tia_simd_draws(const struct tia_view *view)
 }
 
 /* ---- rows ---- */
+
+/* Pixels of a sphere with many casters that are drawn at once: at most, and at least if their casters are still too
+ * many. */
+#define PIECE 64
+#define PIECE_LEAST 8
 
 /* Pixels of the background, or of a light that is seen directly; without dithering all are the same. */
 struct flat {
@@ -39,6 +45,7 @@ struct carried {
     tia_rgb565 pixels[SIMD_STRIP];
     struct simd_fine fine;
     struct simd_run run;
+    struct simd_crowd crowd;
     uint16_t list[SIMD_RUN + SIMD_MORE];
     struct flat flat;
     struct simd_dither dither;
@@ -81,16 +88,6 @@ static size_t room(const struct tia_simd *simd)
     return simd_room(sizeof(struct carried), simd->kernels->cells);
 }
 
-/* True if a sphere has more lights or casters than the kernels take. */
-static bool is_crowded(const struct tia_view *view, uint32_t sphere)
-{
-    bool crowded = view->light_count > SIMD_LIGHTS;
-
-    for (uint32_t l = 0; l < view->light_count && !crowded; l++)
-        crowded = simd_lamp_of(view, sphere, l)->plain;
-    return crowded;
-}
-
 /* Draws pixels first..end-1 in plain C, which finds few casters for each chunk. */
 static void light_plainly(const struct tia_view *view, int y, uint32_t sphere, int first, int end,
                           const num_u threshold[THRESHOLDS], tia_rgb565 *out)
@@ -104,14 +101,17 @@ static void light_plainly(const struct tia_view *view, int y, uint32_t sphere, i
     }
 }
 
-static void light_part(const struct tia_view *view, const struct simd_row *row, uint32_t sphere, int first, int end,
-                       struct carried *carried, tia_rgb565 *out)
+/* Draws pixels first..end-1 by the kernels, with the casters of the given lamps, which are the sphere's own or, if
+ * `crowd`, for these pixels alone. */
+static void light_part(const struct tia_view *view, const struct simd_row *row, uint32_t sphere,
+                       const struct simd_lamp *lamps, bool crowd, int first, int end, struct carried *carried,
+                       tia_rgb565 *out)
 {
-    const struct simd_pixels pixels = {view, row, sphere, first, carried->dither.threshold, out};
+    const struct simd_pixels pixels = {view, row, sphere, lamps, first, carried->dither.threshold, out};
     struct simd_fine *fine = &carried->fine;
 
-    if (!tia_simd_fine(view, row, sphere, first, end, fine) ||
-        !tia_simd_fine_bounds(fine, simd_cache_of(carried->caches, fine))) {
+    if (!tia_simd_fine(view, row, sphere, lamps, first, end, fine) ||
+        !tia_simd_fine_bounds(fine, crowd ? NULL : simd_cache_of(carried->caches, fine))) {
         tia_simd_decide(&pixels, NULL, end - first);
         return;
     }
@@ -121,6 +121,29 @@ static void light_part(const struct tia_view *view, const struct simd_row *row, 
     tia_simd_decide(&pixels, carried->list, count);
 }
 
+/* Draws pixels first..end-1 of a sphere with many casters in pieces, which have few. */
+static void light_pieces(const struct tia_view *view, const struct simd_row *row, int first, int end,
+                         struct carried *carried, tia_rgb565 *out)
+{
+    struct simd_crowd *crowd = &carried->crowd;
+    uint32_t sphere = crowd->span.object;
+
+    for (int x = first, next, most = PIECE; x < end; x = next) {
+        next = end - x < most ? end : x + most;
+        bool fits = tia_simd_crowd_lamps(view, crowd, x, next);
+        if (!fits && next - x > PIECE_LEAST) {
+            most = (next - x) / 2;
+            next = x;
+            continue;
+        }
+        if (fits)
+            light_part(view, row, sphere, crowd->lamp, true, x, next, carried, out + (x - first));
+        else
+            light_plainly(view, row->y, sphere, x, next, carried->dither.threshold, out + (x - first));
+        most = 2 * most < PIECE ? 2 * most : PIECE;
+    }
+}
+
 static void light_span(const struct tia_view *view, const struct simd_row *row, const struct simd_span *span,
                        struct carried *carried, tia_rgb565 *out)
 {
@@ -128,13 +151,21 @@ static void light_span(const struct tia_view *view, const struct simd_row *row, 
         light_flat(view, span, carried, out);
         return;
     }
-    if (is_crowded(view, span->object)) {
+    if (view->light_count > SIMD_LIGHTS) {
         light_plainly(view, row->y, span->object, span->first, span->end, carried->dither.threshold, out);
         return;
     }
-    for (int x = span->first; x < span->end; x += SIMD_RUN) {
-        int end = span->end - x < SIMD_RUN ? span->end : x + SIMD_RUN;
-        light_part(view, row, span->object, x, end, carried, out + (x - span->first));
+    bool crowded = tia_simd_is_crowded(view, span->object);
+    int most = crowded ? SIMD_CROWD : SIMD_RUN;
+    for (int x = span->first, end; x < span->end; x = end) {
+        end = span->end - x < most ? span->end : x + most;
+        if (crowded) {
+            tia_simd_crowd(view, span->object, row->y, x, end, &carried->crowd);
+            light_pieces(view, row, x, end, carried, out + (x - span->first));
+        } else {
+            light_part(view, row, span->object, simd_lamp_of(view, span->object, 0), false, x, end, carried,
+                       out + (x - span->first));
+        }
     }
 }
 

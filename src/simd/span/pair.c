@@ -18,7 +18,9 @@ size_t tia_simd_pairs_size(const struct tia_scene *scene, uint32_t light_capacit
 {
     uint64_t pairs = (uint64_t)scene->sphere_count * light_capacity;
 
-    return pairs > SIZE_MAX / 2 / sizeof(struct simd_lamp) ? SIZE_MAX : (size_t)pairs * sizeof(struct simd_lamp);
+    const size_t each = sizeof(struct simd_lamp) + SIMD_CASTS_KEPT * sizeof(struct simd_caster);
+
+    return pairs > SIZE_MAX / 2 / each ? SIZE_MAX : (size_t)pairs * each;
 }
 
 static void channels(const struct tia_rgb *colour, double out[3])
@@ -34,11 +36,12 @@ static double dot(struct num_vec a, struct num_vec b)
 }
 
 /* Sets k's constant and the bound of its rounding. */
-static void cast_power(const struct span_sphere *sphere, const struct span_sphere *caster, struct simd_caster *cast)
+static void cast_power(const struct span_sphere *sphere, const struct simd_lamp *lamp, const struct span_sphere *caster,
+                       struct simd_caster *cast)
 {
     struct num_vec between = num_vec_sub(sphere->centre, caster->centre);
     double r = (double)sphere->radius * 0x1p-16, radius = (double)caster->radius * 0x1p-16;
-    double away = dot(between, between), share = SIMD_BIAS / (r + SIMD_BIAS), c = (double)caster->c * 0x1p-32;
+    double away = dot(between, between), share = lamp->share, c = (double)caster->c * 0x1p-32;
 
     cast->p0 = c - (away - r * r - radius * radius - SIMD_BIAS * r) * share;
     cast->fixed = BOUND_OF(SPAN_POWER_PARTS,
@@ -70,25 +73,25 @@ bool tia_simd_encloses(const struct span_sphere *caster, struct num_vec light)
 }
 
 /* True if the caster is between the light and all points of the sphere L: each shadow ray ends in the caster, as |C -
- * Q| + bias < R, and begins outside of it, as |C - L| > R + r + bias. */
-static bool is_shade(const struct span_sphere *sphere, const struct simd_lamp *lamp, const struct span_sphere *caster)
+ * Q| + bias < R, and begins outside of it, as |C - L| > R + r + bias. `apart` is |C - Q|. */
+static bool is_shade(const struct span_sphere *sphere, const struct span_sphere *caster, double apart)
 {
-    double r = (double)sphere->radius * 0x1p-16, radius = (double)caster->radius * 0x1p-16;
-    double in = length(num_vec_sub(caster->centre, lamp->light)) + SIMD_BIAS;
+    double r = (double)sphere->radius * 0x1p-16, radius = (double)caster->radius * 0x1p-16, in = apart + SIMD_BIAS;
+
+    if (in >= radius)
+        return false;
     double out = length(num_vec_sub(caster->centre, sphere->centre)) - SIMD_BIAS;
     double off = BOUND_OF(SPAN_SHADE, BOUND(SPAN_PARTS) * (out + radius + r));
-
     return in < radius - off && out > radius + r + off;
 }
 
-static void add_cast(const struct tia_view *view, const struct span_sphere *sphere, uint32_t j, struct simd_lamp *lamp)
+void tia_simd_add_caster(const struct tia_view *view, uint32_t n, uint32_t j, struct simd_lamp *lamp)
 {
-    const struct span_sphere *caster = &span_view_of(view)->spheres[j];
+    const struct span_sphere *sphere = &span_view_of(view)->spheres[n], *caster = &span_view_of(view)->spheres[j];
     const struct tia_rgb *through = &view->scene->materials[view->scene->spheres[j].material].transmission;
+    double apart = length(num_vec_sub(caster->centre, lamp->light));
 
-    if (lamp->plain || is_behind(sphere, lamp, caster))
-        return;
-    if (is_shade(sphere, lamp, caster)) {
+    if (is_shade(sphere, caster, apart)) {
         double left[3];
         channels(through, left);
         for (int c = 0; c < 3; c++)
@@ -96,7 +99,7 @@ static void add_cast(const struct tia_view *view, const struct span_sphere *sphe
         lamp->shades++;
         return;
     }
-    lamp->plain = lamp->casts == SIMD_CASTS;
+    lamp->plain = lamp->casts == lamp->room;
     if (lamp->plain)
         return;
     struct simd_caster *cast = &lamp->cast[lamp->casts++];
@@ -106,10 +109,10 @@ static void add_cast(const struct tia_view *view, const struct span_sphere *sphe
     cast->size = length(caster->centre);
     cast->aq = (double)num_dot(caster->centre, lamp->light) * 0x1p-32 - lamp->swell * lamp->k;
     cast->radius = (double)caster->radius * 0x1p-16;
-    cast->apart = length(num_vec_sub(caster->centre, lamp->light));
-    cast_power(sphere, caster, cast);
+    cast->apart = apart;
+    cast_power(sphere, lamp, caster, cast);
     cast->clear = !colour_is_black(through);
-    cast->encloses = tia_simd_encloses(caster, lamp->light);
+    cast->encloses = apart < 2 * cast->radius && tia_simd_encloses(caster, lamp->light);
     channels(through, cast->through);
 }
 
@@ -126,12 +129,7 @@ static void light_constants(const struct span_sphere *sphere, struct num_vec lig
     lamp->gap = fabs(lamp->reach - r) - (lamp->reach + r) * BOUND(SPAN_GAP);
     lamp->per_r = 1 / r;
     lamp->swell = SIMD_BIAS / r;
-}
-
-/* True if no light arrives. Products too small for doubles are 0; their light changes no pixel. */
-static bool is_out(const struct simd_lamp *lamp)
-{
-    return lamp->colour[0] == 0 && lamp->colour[1] == 0 && lamp->colour[2] == 0;
+    lamp->share = SIMD_BIAS / (r + SIMD_BIAS);
 }
 
 static void prepare_lamp(const struct tia_view *view, uint32_t n, uint32_t l, struct simd_lamp *lamp)
@@ -149,10 +147,11 @@ static void prepare_lamp(const struct tia_view *view, uint32_t n, uint32_t l, st
     channels(&view->lights[l].emission, emission);
     for (int c = 0; c < 3; c++)
         lamp->colour[c] = colour[c] *= emission[c];
-    for (uint32_t j = span_next_caster(&lit, l, 0); j < view->scene->sphere_count && !is_out(lamp);
+    for (uint32_t j = span_next_caster(&lit, l, 0); j < view->scene->sphere_count && !simd_is_out(lamp);
          j = span_next_caster(&lit, l, j + 1))
-        add_cast(view, sphere, j, lamp);
-    if (is_out(lamp)) {
+        if (!lamp->plain && !is_behind(sphere, lamp, &span_view_of(view)->spheres[j]))
+            tia_simd_add_caster(view, n, j, lamp);
+    if (simd_is_out(lamp)) {
         lamp->casts = 0;
         lamp->plain = false;
     }
@@ -163,8 +162,14 @@ static void prepare_lamp(const struct tia_view *view, uint32_t n, uint32_t l, st
 void tia_simd_prepare(struct tia_view *view)
 {
     struct simd_lamp *lamps = view->simd_memory;
+    size_t pairs = (size_t)view->scene->sphere_count * view->light_capacity;
+    struct simd_caster *casters = (struct simd_caster *)(void *)(lamps + pairs);
 
     for (uint32_t n = 0; n < view->scene->sphere_count; n++)
-        for (uint32_t l = 0; l < view->light_count; l++)
-            prepare_lamp(view, n, l, &lamps[(size_t)n * view->light_capacity + l]);
+        for (uint32_t l = 0; l < view->light_count; l++) {
+            size_t i = (size_t)n * view->light_capacity + l;
+            lamps[i].cast = casters + i * SIMD_CASTS_KEPT;
+            lamps[i].room = SIMD_CASTS_KEPT;
+            prepare_lamp(view, n, l, &lamps[i]);
+        }
 }

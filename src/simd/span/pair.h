@@ -18,14 +18,16 @@ struct simd_caster {
 
 /* A light's constants for one sphere. */
 struct simd_lamp {
-    bool plain;              /* the sphere has too many casters, and is drawn in plain C: `cast` is not used */
+    bool plain;              /* there are more casters than `cast` takes, which is not used then; see crowd.h */
     struct num_vec light, g; /* Q, Q - L */
     double k, qq, size;      /* K, Q.Q, |Q| */
     double reach, gap;       /* |G|; lower limit of ||G| - r|, the light's distance from the sphere */
     double per_r, swell;     /* 1/r; B = bias/r */
+    double share;            /* bias/(r + bias) */
     double colour[3];        /* the product of both colours and, unless `plain`, of the shades' transmissions */
     int casts, shades;       /* shades: spheres around the light that block it at all points */
-    struct simd_caster cast[SIMD_CASTS];
+    int room;                /* the most casters */
+    struct simd_caster *cast;
 };
 
 /* Returns the bytes for a view's pairs; SIZE_MAX when there are too many. */
@@ -34,8 +36,18 @@ size_t tia_simd_pairs_size(const struct tia_scene *scene, uint32_t light_capacit
 /* Fills view->simd_memory for the view's lights. */
 void tia_simd_prepare(struct tia_view *view);
 
+/* Adds sphere j to the casters of a lamp, whose light it may block on sphere n, or to the shades. One more than the
+ * lamp has room for makes it `plain`. */
+void tia_simd_add_caster(const struct tia_view *view, uint32_t n, uint32_t j, struct simd_lamp *lamp);
+
 /* True if the light is in the caster or on it. */
 bool tia_simd_encloses(const struct span_sphere *caster, struct num_vec light);
+
+/* True if no light arrives. Products too small for doubles are 0; their light changes no pixel. */
+static inline bool simd_is_out(const struct simd_lamp *lamp)
+{
+    return lamp->colour[0] == 0 && lamp->colour[1] == 0 && lamp->colour[2] == 0;
+}
 
 static inline const struct simd_lamp *simd_lamp_of(const struct tia_view *view, uint32_t sphere, uint32_t light)
 {

@@ -22,14 +22,10 @@ static void cast_forms(const struct simd_fine *fine, const struct simd_fine_ligh
     }
 }
 
-static bool light_forms(struct simd_fine *fine, uint32_t l)
+static void light_forms(const struct simd_fine *fine, const struct simd_lamp *lamp, struct simd_fine_light *light)
 {
     const struct span_view *spans = span_view_of(fine->view);
-    struct simd_fine_light *light = &fine->light[l];
-    const struct simd_lamp *lamp = simd_lamp_of(fine->view, fine->sphere, l);
 
-    if (lamp->plain)
-        return false;
     light->lamp = lamp;
     tia_simd_form(&spans->primary, fine->row, &fine->place, lamp->g, light->g);
     tia_simd_form(&spans->primary, fine->row, &fine->place, lamp->light, light->q);
@@ -37,11 +33,10 @@ static bool light_forms(struct simd_fine *fine, uint32_t l)
     light->q[1] *= -2;
     for (int j = 0; j < lamp->casts; j++)
         cast_forms(fine, light, &lamp->cast[j], &light->cast[j]);
-    return true;
 }
 
-bool tia_simd_fine(const struct tia_view *view, const struct simd_row *row, uint32_t sphere, int first, int end,
-                   struct simd_fine *fine)
+bool tia_simd_fine(const struct tia_view *view, const struct simd_row *row, uint32_t sphere,
+                   const struct simd_lamp *lamps, int first, int end, struct simd_fine *fine)
 {
     const struct span_view *spans = span_view_of(view);
     const struct tia_material *material = &view->scene->materials[view->scene->spheres[sphere].material];
@@ -49,10 +44,9 @@ bool tia_simd_fine(const struct tia_view *view, const struct simd_row *row, uint
     fine->view = view;
     fine->row = row;
     fine->sphere = sphere;
+    fine->lamps = lamps;
     fine->first = first;
     fine->end = end;
-    if (view->light_count > SIMD_LIGHTS)
-        return false;
     tia_simd_place(&spans->primary, row, first, end, &fine->place);
     if (!tia_simd_see(&spans->primary, row, &fine->place, simd_sphere_of(fine), &fine->seen))
         return false;
@@ -60,9 +54,10 @@ bool tia_simd_fine(const struct tia_view *view, const struct simd_row *row, uint
     fine->emission[0] = (double)material->emission.r * 0x1p-30;
     fine->emission[1] = (double)material->emission.g * 0x1p-30;
     fine->emission[2] = (double)material->emission.b * 0x1p-30;
+    fine->lights = 0;
     for (uint32_t l = 0; l < view->light_count; l++)
-        if (!light_forms(fine, l))
-            return false;
+        if (!simd_is_out(&lamps[l]))
+            light_forms(fine, &lamps[l], &fine->light[fine->lights++]);
     return true;
 }
 
@@ -79,13 +74,14 @@ static void scaled(const double from[3], double per_c, float *square, float *sta
 /* A factor with which |w|^2 is above every A'.w: |A'| is below 2^18, and |w| is above 2^-40 where |w|^2 is known. */
 #define ENDLESS 1e20f
 
-static void run_cast(const struct simd_fine *fine, const struct simd_fine_light *light, int j, struct simd_cast *cast)
+static void run_cast(const struct simd_fine *fine, const struct simd_fine_light *light, int j, double per_c,
+                     struct simd_cast *cast)
 {
     const struct simd_lamp *lamp = light->lamp;
     const struct simd_caster *from = &lamp->cast[j];
     const struct simd_fine_cast *fine_cast = &light->cast[j];
     const struct simd_cast_bounds *b = &fine_cast->bounds;
-    double per_c = 1 / fine->seen.c, size = from->size + fine->depth.p_most + BOUND(SPAN_EDGE_BIAS);
+    double size = from->size + fine->depth.p_most + BOUND(SPAN_EDGE_BIAS);
     double sizes = 1 + BOUND(SPAN_EDGE_SIZES);
 
     scaled(fine_cast->a, per_c, &cast->aq, &cast->h0, &cast->h1);
@@ -124,7 +120,7 @@ static void run_light(const struct simd_fine *fine, const struct simd_fine_light
     light->faint = (float)from->bounds.lambert;
     light->casts = lamp->casts;
     for (int j = 0; j < lamp->casts; j++)
-        run_cast(fine, from, j, &light->cast[j]);
+        run_cast(fine, from, j, per_c, &light->cast[j]);
 }
 
 void tia_simd_dither(bool on, int y, struct simd_dither *dither)
@@ -171,7 +167,7 @@ void tia_simd_run(const struct simd_fine *fine, const struct simd_dither *dither
 
     run->count = fine->end - fine->first;
     run->grey = fine->grey;
-    run->lights = (int)fine->view->light_count;
+    run->lights = fine->lights;
     run->x0 = (float)place->low;
     run->b0 = (float)seen->b[0];
     run->b1 = (float)seen->b[1];

@@ -22,6 +22,7 @@ struct simd_fine {
     const struct tia_view *view;
     const struct simd_row *row;
     uint32_t sphere;
+    const struct simd_lamp *lamps; /* of the sphere, one for each light */
     int first, end;
     bool grey;
     struct simd_place place;
@@ -29,12 +30,13 @@ struct simd_fine {
     struct simd_depth depth;
     double emission[3];
     double near31, near63; /* half a level less the error bound, for 31 and 63 levels */
+    int lights;            /* lights that arrive somewhere */
     struct simd_fine_light light[SIMD_LIGHTS];
 };
 
 /* Gives the forms of pixels first..end-1, without bounds; false when these pixels are drawn one by one. */
-bool tia_simd_fine(const struct tia_view *view, const struct simd_row *row, uint32_t sphere, int first, int end,
-                   struct simd_fine *fine);
+bool tia_simd_fine(const struct tia_view *view, const struct simd_row *row, uint32_t sphere,
+                   const struct simd_lamp *lamps, int first, int end, struct simd_fine *fine);
 
 static inline const struct span_sphere *simd_sphere_of(const struct simd_fine *fine)
 {

@@ -29,12 +29,13 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define SIMD_LIGHTS 4
-#define SIMD_CASTS 12
-#define SIMD_RUN 2048   /* largest number of pixels in a run */
-#define SIMD_BLOCK 1024 /* largest number of pixels that a kernel draws at once */
-#define SIMD_MORE 32    /* entries beyond a list, or beyond thresholds, that kernels may access */
-#define SIMD_CELL 16    /* pixels of a cell */
+#define SIMD_LIGHTS 16
+#define SIMD_CASTS 24      /* of a light in a run */
+#define SIMD_CASTS_KEPT 12 /* of a light and a sphere, for a frame */
+#define SIMD_RUN 2048      /* largest number of pixels in a run */
+#define SIMD_BLOCK 1024    /* largest number of pixels that a kernel draws at once */
+#define SIMD_MORE 32       /* entries beyond a list, or beyond thresholds, that kernels may access */
+#define SIMD_CELL 16       /* pixels of a cell */
 
 /* A sphere that may occlude the light of a run. */
 struct simd_cast {

@@ -9,6 +9,16 @@
 bool coherence_shadows(const struct span_view *spans, const struct shaded_span *span, uint32_t light,
                        struct span_shadows *shadows);
 
+/* Sets shadows->near to the spheres that may block a light at some point of a span; false if there are none. Of the
+ * span's distances those of the first and the last pixel and of pixel (count - 1)/2 suffice. */
+bool coherence_near(const struct span_view *spans, const struct shaded_span *span, uint32_t light,
+                    struct span_shadows *shadows);
+
+/* Surrounds the points of pixels first..last of a span; false if its distances are too inaccurate. Those of both pixels
+ * and of the one in the middle, rounded down, suffice. */
+bool coherence_surround(const struct span_view *spans, const struct shaded_span *span, int first, int last,
+                        struct coarse_ball *ball);
+
 /* True if sphere `n` is certainly nearer than sphere `other` at all pixels of a span, which both show. */
 bool coherence_nearer(const struct span_view *spans, uint32_t n, uint32_t other, int y, struct span span);
 

@@ -208,23 +208,42 @@ static bool find_reach(int parts, int count, struct span_shadows *shadows)
     return first < end;
 }
 
-bool coherence_shadows(const struct span_view *spans, const struct shaded_span *span, uint32_t light,
-                       struct span_shadows *shadows)
+bool coherence_near(const struct span_view *spans, const struct shaded_span *span, uint32_t light,
+                    struct span_shadows *shadows)
 {
     const struct span_casters *casters = &spans->casters;
     const uint8_t *list = span_list_of(casters, span->object, light);
-    const int parts = (span->count + SHADOW_PART - 1) / SHADOW_PART;
     struct shade d = {spans, span, shadows, light, &casters->coarse[casters->count + light]};
 
     if (span_next_in(casters, list, 0) == casters->count)
         return false;
     if (!shadows->tried)
         find_ball(spans, span, shadows);
-    for (int i = 0; i < parts; i++)
-        shadows->part[i] = shadows->known ? SPAN_LIT : SPAN_OPEN;
     for (uint32_t i = 0; !shadows->known && i < (casters->count + 7) / 8; i++)
         shadows->near[i] = list[i];
-    if (shadows->known && find_near(&d, list))
+    return !shadows->known || find_near(&d, list);
+}
+
+bool coherence_shadows(const struct span_view *spans, const struct shaded_span *span, uint32_t light,
+                       struct span_shadows *shadows)
+{
+    const struct span_casters *casters = &spans->casters;
+    const int parts = (span->count + SHADOW_PART - 1) / SHADOW_PART;
+    struct shade d = {spans, span, shadows, light, &casters->coarse[casters->count + light]};
+
+    if (!coherence_near(spans, span, light, shadows))
+        return false;
+    for (int i = 0; i < parts; i++)
+        shadows->part[i] = SPAN_OPEN;
+    if (shadows->known)
         find_parts(&d);
     return find_reach(parts, span->count, shadows);
+}
+
+bool coherence_surround(const struct span_view *spans, const struct shaded_span *span, int first, int last,
+                        struct coarse_ball *ball)
+{
+    struct coarse_ball end[2];
+
+    return surround(spans, span, first, last, ball, end);
 }
