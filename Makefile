@@ -198,8 +198,8 @@ endif
 # A file each for the compiler, its flags and the libraries found; what is made with them depends on it. It is written
 # again only when its text changes.
 COMPILER := $(realpath $(call found,$(firstword $(CC)))) $(CC)
-made_with_core := $(COMPILER) $(CORE) $(CFLAGS) $(MEASURING_CFLAGS)
-made_with_host := $(COMPILER) $(HOSTED) $(CFLAGS) $(MEASURING_CFLAGS)
+made_with_core := $(COMPILER) $(CORE) $(CFLAGS) $(MEASURING_CFLAGS) $(REFERENCE_CFLAGS)
+made_with_host := $(COMPILER) $(HOSTED) $(CFLAGS) $(MEASURING_CFLAGS) $(TEST_CFLAGS)
 made_with_parts := $(HAVE_SIMD) $(if $(TIA_F64),-DTIA_LINKED_F64) $(if $(filter %-f128.a,$(TIA_F64)),-DTIA_LINKED_F128) $(if $(TIA_WATCHED),-DTIA_LINKED_WATCHED)
 made_with_simd := $(COMPILER) $(CORE) $(foreach l,$(SIMD_NAMES),$(flags_$(l))) $(CFLAGS)
 made_with_link := $(COMPILER) $(CFLAGS) $(LDFLAGS) $(LIBS)
@@ -215,8 +215,11 @@ define compile
 @mkdir -p $(@D)
 $(call say,$(1),$<)$(CC) $(2) $(CFLAGS) -c -o $@ $<
 endef
-# More flags for what surrounds the library: the other arithmetics, ports and commands.
+# More flags for what surrounds the library: the other arithmetics, ports and commands; the floating-point references;
+# and the tests' own files.
 $(foreach v,f32 f64 watched chk host,$(BUILD)/$(v)/%.o): override CFLAGS += $(MEASURING_CFLAGS)
+$(foreach v,f32 f64,$(BUILD)/$(v)/%.o): override CFLAGS += $(REFERENCE_CFLAGS)
+$(BUILD)/tests/%.o: override CFLAGS += $(TEST_CFLAGS)
 link = $(call say,LD,$@)$(CC) -pthread $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter %.a,$^) $(LIBS)
 
 $(BUILD)/q16/%.o: %.c $(BUILD)/made-with/core
@@ -331,7 +334,7 @@ check-arch:
 check-freestanding:
 	@FREESTANDING_FULL=yes $(run_tests) tests/slow/freestanding
 check-matrix: all
-	@MATRIX_FULL=yes $(run_tests) tests/slow/build-matrix
+	@MATRIX_FULL=yes $(run_tests) tests/slow/build-matrix tests/slow/sanitised
 check-simd: $(addprefix $(BUILD)/tests/test_,simd_spans simd_rays ray_bounds)
 	@SIMD_SCENES=100000 SIMD_TIMES=10 $(run_tests) tests/slow/simd
 check-denoise: all
@@ -395,7 +398,7 @@ processors = $$(nproc 2>/dev/null || echo 1)
 on_all_cores = $(run_tests) -j $$(($(processors) + 1))
 # With CHECK_QUICK set tests try fewer random cases, see check_count in tests/check.h; check tries all.
 # Those that take longest are begun first, so that in the end no processor waits for one of them.
-LONG  := $(addprefix tests/slow/,build-matrix arch vm accuracy)
+LONG  := $(addprefix tests/slow/,sanitised arch vm build-matrix accuracy)
 # tests/slow/accuracy runs the one that is left out.
 QUICK := $(sort $(wildcard tests/quick/*)) $(filter-out $(BUILD)/tests/test_rays_accuracy,$(TESTS))
 SLOW  := $(LONG) $(filter-out $(LONG),$(sort $(wildcard tests/slow/*)))
@@ -459,6 +462,7 @@ help:
 	@echo "test T=NAME C=CASE one test, or one case of it: make test T=ray_bounds C=scene_files"
 	@echo "check-boards prove                             parts of check"
 	@echo "check-accuracy check-exact check-arch check-freestanding check-matrix check-simd check-denoise check-threads check-deb check-light check-vm fuzz   parts of check, for longer"
+	@echo "                   check-matrix: all builds, and all C tests and fuzzers under ASan and UBSan"
 	@echo "check-trust          each bit of a view changed, without and with checks: some minutes"
 	@echo "check-rays-billion   10^9 rays by vector units against plain C, or RAYS=N"
 	@echo "check-exhaustive check-mutants check-bounds    longer than check"

@@ -338,11 +338,12 @@ TEST(floors)
         random_ball(words, &a, 29, true);
         if (i % 3 == 0)
             tia_ball_set(words, &a, (int64_t)(random_bits() % 200) - 100, 0);
+        if (!a.sign || a.e + 32 * words > 30)
+            continue;
         exact_middle(&x, words, &a);
         exact_of(&floor, tia_ball_floor(words, &a), 0);
         exact_of(&next, (int64_t)tia_ball_floor(words, &a) + 1, 0);
-        if (a.sign && a.e + 32 * words <= 30)
-            CHECK(exact_compare(&floor, &x) <= 0 && exact_compare(&x, &next) < 0);
+        CHECK(exact_compare(&floor, &x) <= 0 && exact_compare(&x, &next) < 0);
     }
 }
 

@@ -182,6 +182,10 @@ TEST(copies_refused)
                   "3:1: 'include' is not repeated, expected it outside of repeat blocks");
     check_refused(M "repeat 2\nsphere radius 1 name a material m\nend",
                   "3:22: 'a' is already defined, expected another name");
+}
+
+TEST(too_many_copied_lines)
+{
     check_refused("repeat 65536\nrepeat 128\nend\nend\nrepeat 65536\nrepeat 128\nend\nend",
                   "7:1: 'end' is a line too many, expected at most 16777216 in repeat blocks");
 }
@@ -195,6 +199,7 @@ int main(void)
     RUN(copies_of_a_block);
     RUN(copies_are_placed_in_turn);
     RUN(copies_refused);
+    RUN_LONG(too_many_copied_lines);
     read_end(&now);
     return check_status();
 }

@@ -161,13 +161,13 @@ def measure(board, build, image):
     return instructions, size.sections(board, image)[0], int(stack), crc
 
 
-def table(build):
-    """Yields for each way its name and what is measured, by processor."""
+def table(build, processors=tuple(PROCESSORS)):
+    """Yields for each way its name and what is measured, by processor: by these, or by those that a way is for."""
     with tempfile.TemporaryDirectory() as folder:
         programs = Programs(build, folder)
         yield FIRST, {processor: measure(board, build, f'{build}/boards/{board}/example.elf') for processor, (board, _) in PROCESSORS.items()}
         for way in WAYS:
-            yield way, {processor: programs.measure(way, processor) for processor in ONLY.get(way, PROCESSORS)}
+            yield way, {processor: programs.measure(way, processor) for processor in ONLY.get(way, processors)}
 
 
 # The cores that a program may name, and that of all scenes, for which all sources are compiled.
@@ -193,10 +193,10 @@ def missing():
     return tools + [] if shutil.which('cmake') else tools + ['cmake']
 
 
-def cells(measured):
+def cells(measured, absent='-'):
     """Of a row: instructions a pixel, flash and stack for each processor."""
     return [cell for processor in PROCESSORS for cell in
-            ((count.per_pixel(measured[processor][0]), *measured[processor][1:3]) if processor in measured else ('-',) * 3)]
+            ((count.per_pixel(measured[processor][0]), *measured[processor][1:3]) if processor in measured else (absent,) * 3)]
 
 
 def main(build):

@@ -181,7 +181,7 @@ def exhausted(s):
     s.refused(1)
     ends = set()
     # Above the program's own pages: with less the kernel kills it before its first instruction.
-    for kilobytes in range(16000, 5000, -1000):
+    for kilobytes in range(16000, 5000, -1000 if s.full else -2000):
         s.run(command='sh -c "ulimit -v %d; exec tia -k a %s"' % (kilobytes, ' '.join(s.display)))
         if s.shown_or_ended('a') == 'shown':
             s.guest.tap('esc')
@@ -200,7 +200,8 @@ def limited(s):
     s.guest.sh('mkdir -p /tmp/cgroup; mount -t cgroup2 none /tmp/cgroup; echo +memory >/tmp/cgroup/cgroup.subtree_control;'
                'mkdir %s' % group)
     ends = set()
-    for kilobytes in (64, 256, 512, 800, 1200, 2000, 3000, 4000, 6000, 8000, 20000):
+    limits = 64, 256, 512, 800, 1200, 2000, 3000, 4000, 6000, 8000, 20000
+    for kilobytes in limits if s.full else limits[::2]:
         s.guest.sh('echo %dK >%s/memory.max' % (kilobytes, group))
         s.run(command='sh -c "echo \\$\\$ >%s/cgroup.procs; exec tia -k a %s"' % (group, ' '.join(s.display)))
         if s.shown_or_ended('a') == 'shown':

@@ -75,7 +75,7 @@ class Guest:
                    '-initrd', image.IMAGE, '-serial', 'file:' + self.kernel_log,
                    '-serial', 'unix:%s/agent,server=on,wait=off' % self.directory,
                    '-qmp', 'unix:%s/qmp,server=on,wait=off' % self.directory, *qemu,
-                   '-append', 'console=ttyS0 panic=-1 quiet no_timer_check %s mods=%s' % (append, ','.join(modules))]
+                   '-append', 'console=ttyS0 panic=-1 quiet no_timer_check mitigations=off nokaslr %s mods=%s' % (append, ','.join(modules))]
         if '-vga' not in command:
             command += ['-vga', 'none']
         self.note('$ ' + ' '.join(command))

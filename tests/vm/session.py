@@ -145,7 +145,7 @@ class Session:
 
     def times(self, count):
         """How often to do what takes long."""
-        return count if self.full else count // 5
+        return count if self.full else count // 8
 
     def wait_grabbed(self, count):
         """Waits until tia has so many keyboards."""

@@ -62,6 +62,7 @@ class Setup:
     keyboard: bool = True
     long: bool = False              # its LONG cases are run without --full too
     longest: bool = False           # so are its LONGEST cases
+    rare: bool = False              # run with --full, or by its name
 
     def all_cases(self, full):
         basic = set(BASIC) <= set(self.cases)
@@ -96,7 +97,7 @@ SETUPS = [
     vesafb('vesafb16', 0x311, '16 bpp', format='RGB565', cases=[*BASIC, *THOROUGH], long=True),
     drm('bochs', BOCHS, ['bochs'], cases=[*DRM, display.modes, display.device_gone, *THOROUGH],
         long=True, longest=True),
-    vesafb('vesafb16-800', 0x314, '16 bpp, 800x600', size=(800, 600), format='RGB565', cases=[display.frames]),
+    vesafb('vesafb16-800', 0x314, '16 bpp, 800x600', size=(800, 600), format='RGB565', rare=True, cases=[display.frames]),
     vesafb('vesafb32', 0x342, '32 bpp', cases=BASIC),
     vesafb('vesafb15', 0x310, '15 bpp', format='RGB555', eye=Scanout(picture.shift555), cases=[display.frames]),
     vesafb('vesafb24', 0x312, '24 bpp', format='RGB888', cases=[display.frames]),
