@@ -103,15 +103,20 @@ static void across(const double n[3], double a[3], double b[3])
         b[i] = (n[(i + 1) % 3] * a[(i + 2) % 3] - n[(i + 2) % 3] * a[(i + 1) % 3]) / length;
 }
 
-static void see_circle(struct tia_vec3 c, double radius, const double n[3])
+static void see_ring(const double c[3], double radius, const double n[3])
 {
     double a[3], b[3];
 
     across(n, a, b);
     for (int i = 0; i < STEPS; i++) {
         double s = radius * sin(2 * pi * i / STEPS), t = radius * cos(2 * pi * i / STEPS);
-        see(c.x + s * a[0] + t * b[0], c.y + s * a[1] + t * b[1], c.z + s * a[2] + t * b[2]);
+        see(c[0] + s * a[0] + t * b[0], c[1] + s * a[1] + t * b[1], c[2] + s * a[2] + t * b[2]);
     }
+}
+
+static void see_circle(struct tia_vec3 c, double radius, const double n[3])
+{
+    see_ring((const double[]){c.x, c.y, c.z}, radius, n);
 }
 
 static void see_sphere(struct tia_vec3 c, double radius)
@@ -119,8 +124,7 @@ static void see_sphere(struct tia_vec3 c, double radius)
     const double up[3] = {0, 0, 1};
     for (int i = 0; i <= STEPS / 2; i++) {
         double a = pi * i / (STEPS / 2);
-        struct tia_vec3 at = {c.x, c.y, c.z + (tia_q16)lrint(radius * cos(a))};
-        see_circle(at, radius * sin(a), up);
+        see_ring((const double[]){c.x, c.y, c.z + radius * cos(a)}, radius * sin(a), up);
     }
 }
 
