@@ -15,6 +15,7 @@
 #include "flat_tmpl.h"
 #include "grid_tmpl.h"
 #include "instance_tmpl.h"
+#include "level_tmpl.h"
 #include "pairs_tmpl.h"
 #include "round_tmpl.h"
 #include "sphere_tmpl.h"
@@ -115,6 +116,8 @@ LANE_OP void meet_unknown(struct query *q, vd near)
 
 LANE_OP void meet_mesh(const struct sure_scene *s, const struct sure_object *o, struct query *q)
 {
+    if (o->mesh->level && !any(mand(q->active, mnot(leaves_level(q, o->mesh)))))
+        return;
     lines_of(&q->room->lines, q->p, o->mesh);
     q->room->lines.starts = mbits(starts_here(q));
     q->lines = &q->room->lines;
