@@ -234,6 +234,8 @@ $(BUILD)/f128/%.o: %.c $(BUILD)/made-with/core
 	$(call compile,CC f128,$(CORE) -DTIA_NUM_F128 -fno-math-errno)
 # Of a file of src/simd/.
 simd_flags = $(filter-out -ffreestanding,$(CORE)) $(flags_$(notdir $(1))) -fno-math-errno -ffp-contract=$(if $(filter rays/%,$(1)),fast,off)
+# Packets of rays have many loops over lanes, which -O3 unrolls.
+$(foreach v,simd pic,$(BUILD)/$(v)/src/simd/rays/%.o): override CFLAGS := $(patsubst -O2,-O3,$(CFLAGS))
 $(BUILD)/simd/src/simd/%.o: src/simd/%.c $(BUILD)/made-with/simd
 	$(call compile,CC,$(call simd_flags,$*))
 $(BUILD)/simd/port/simd/%.o: port/simd/%.c $(BUILD)/made-with/host $(BUILD)/made-with/parts

@@ -12,6 +12,7 @@
 /* ---- rays: certain results are true of the fixed-point ray ---- */
 
 #define CELL "grid g size 1 1 1 corner 0 0 0 cell 0.1\nrow 1\nend\n"
+#define FLOOR "mesh g\nvertex -9 0 -9\nvertex 0 0 9\nvertex 9 0 -9\nface 1 2 3\nend\n"
 
 /* The fixed-point ray, whose d may have any length; the certified one starts eo beside it in the direction `off` and is
  * turned by ed there. An object far away enlarges the scene, so that its boxes allow this. */
@@ -85,6 +86,10 @@ static const struct end {
      "plane point 0.0805 0.10005 0.05505 normal 1 0.1 0.1 material plain\n"},
     {"to a plane close by", "plane point 0 0 0 normal 0 1 0", {0, 0.001, 0}, {1, -1, 0}, {0, -1, 0}, 0.01, 0},
     {"down to a plane", "plane point 0 0 0 normal 0 1 0", {0, 0.1, 0}, {1, -0.0001, 0}, {0, 1, 0}, 0, 0.0003},
+    {"to a level mesh close by", FLOOR, {0, 0.005, 0}, {1, -1, 0}, {0, -1, 0}, 0.01, 0},
+    {"from under a level mesh", FLOOR, {0, -0.005, 0}, {1, 1, 0}, {0, 1, 0}, 0.01, 0},
+    {"down to a level mesh", FLOOR, {0, 0.0001, 0}, {1, -0.0001, 0}, {0, 1, 0}, 0, 0.0003},
+    {"up to a level mesh", FLOOR, {0, -0.0001, 0}, {1, 0.0001, 0}, {0, -1, 0}, 0, 0.0003},
 };
 
 static void open_text(const char *name, const char *text)
@@ -120,12 +125,12 @@ static void move(const struct end *end, const struct ray *ray, double part, stru
 static void check_end(const struct end *end, struct used *distances)
 {
     const char *far = "sphere centre -30 -30 -30 radius 8 material plain";
-    bool grid = !strncmp(end->shape, "grid", 4);
+    bool made = !strncmp(end->shape, "grid", 4) || !strncmp(end->shape, "mesh", 4);
     char text[500];
     struct hit hit;
 
-    (void)snprintf(text, sizeof text, "%s%s material plain\n%s%s\n", grid ? CELL : "", grid ? "instance g" : end->shape,
-                   end->behind ? end->behind : "", far);
+    (void)snprintf(text, sizeof text, "%s%s material plain\n%s%s\n", made ? end->shape : "",
+                   made ? "instance g" : end->shape, end->behind ? end->behind : "", far);
     open_text(end->name, text);
     struct ray ray = {place(real3_of(end->o, unit)), towards(real3_of(end->d, 1))};
     meet(&ray, &hit);

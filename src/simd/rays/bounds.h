@@ -15,6 +15,7 @@
 #include "sure.h"
 
 #include "bounds/lights.h"
+#include "bounds/meshes.h"
 #include "bounds/paths.h"
 #include "bounds/pictures.h"
 #include "bounds/rounds.h"

@@ -32,7 +32,7 @@ static void aim_shadow(const struct sure_scene *scene, const struct sure_light *
     shadow->p.from = leaving(h, shadow->p.d, shadow->p.ed, 1, 0);
 }
 
-/* Computes the reflected light and its error. */
+/* Computes the reflected light and its error. Lanes whose highlight's cosine is certainly not above 0 have none. */
 static void reflect_light(const struct shade *h, const struct sample *s, vd lambert, vd elambert, vm lit, vd rgb[3],
                           vd *e)
 {
@@ -46,6 +46,9 @@ static void reflect_light(const struct shade *h, const struct sample *s, vd lamb
     vd half = 2 * (h->facing * lambert) - v3_dot(h->viewer, s->to);
     vd ehalf = BOUND_OF(HIGHLIGHT_COSINE, BOUND_OF(HIGHLIGHT_FACING, 2 * (h->efacing + elambert)) + s->eto + h->ev +
                                               BOUND(HIGHLIGHT_ROUNDING));
+    glossy = mand(glossy, vlt(-ehalf, half));
+    if (!any(glossy))
+        return;
     half = vmin(vmax(half, vset(0)), vset(1));
     vd shine = vsel(glossy, power(half, h->exponent), vset(0)), turn = power_turn(half, ehalf, h->exponent, shine);
     for (int c = 0; c < 3; c++)

@@ -34,6 +34,7 @@
 struct lines {
     struct line line;
     vp way[3], moment[3], off, by;
+    unsigned starts; /* lanes whose rays start on the mesh and move away from it */
 };
 
 /* The result for two faces; bit 2 k + i: lane k, face i. */

@@ -324,7 +324,7 @@ static void find_hidden(const struct sure_scene *s, struct room *room, struct sh
     q->work = SURE_PACKET + s->unbounded_count + (ends ? s->light_count : 0);
     q->active = mand(active, fine);
     q->any = q->solid = q->opaque = true;
-    q->blocker = q->index = *blocker;
+    q->blocker = q->index = q->tested = *blocker;
     q->groups = NULL;
     q->group = 0;
     q->distance = shadow->distance;

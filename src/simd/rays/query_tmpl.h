@@ -56,15 +56,16 @@ struct line {
     vd e, each;
 };
 
-/* Largest number of groups in a ray's list. */
-#define GROUPS 16
+/* Largest number of groups in a packet's list. */
+#define GROUPS 64
 
-/* The groups of a mesh that each ray meets, see struct query. */
+/* The groups of a mesh that a packet meets, see struct query: for each group the lanes that certainly meet it, and
+ * those that may. */
 struct group_list {
-    uint32_t group[LANES][GROUPS];
-    bool sure[LANES][GROUPS];
-    int count[LANES];
-    unsigned full; /* lanes that meet more than GROUPS groups */
+    uint32_t group[GROUPS];
+    unsigned sure[GROUPS], open[GROUPS];
+    int count;
+    unsigned full; /* lanes that meet a group for which there is no room */
 };
 
 struct lines;
@@ -91,6 +92,7 @@ struct query {
     vm blocked, maybe, met, may_meet; /* met, may_meet: lanes that hit the current object, which filters light */
     vd through[3], ethrough;
     uint32_t index, blocker;
+    uint32_t tested;           /* an object that walks pass over, as it was tested before, or TIA_NO_OBJECT */
     struct group_list *groups; /* NULL, or receives `group` of each hit */
     uint32_t group;
     uint32_t work; /* work so far, in items of cancel.h */

@@ -100,6 +100,9 @@ struct sure_tree {
     const uint32_t *wide_of;       /* for each node its wide node, or SURE_NO_WIDE */
     uint32_t node_count;
     double centre[3], extent; /* of the box around all items: its centre, and the sum of its half axes */
+    bool level;               /* all vertices of the mesh have the same coordinate `height` along `axis` */
+    int axis;
+    double height;
 };
 
 /* Kinds of shapes. A shape of kind SURE_UNKNOWN may be hit anywhere in its box. */

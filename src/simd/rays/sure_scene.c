@@ -169,6 +169,24 @@ static void set_mesh_face(struct sure_flat *to, const struct tia_mesh *mesh, uin
     to->extent = whole.any ? to->extent : -to->extent;
 }
 
+/* Finds the axis, if any, along which all vertices of a mesh have the same coordinate. */
+static void set_level(struct sure_tree *to, const struct tia_mesh *mesh)
+{
+    const struct tia_vec3 *v = mesh->vertices;
+    bool same[3] = {true, true, true};
+
+    if (!mesh->vertex_count)
+        return;
+    for (uint32_t i = 0; i < mesh->vertex_count && (same[0] || same[1] || same[2]); i++) {
+        same[0] = same[0] && v[i].x == v->x;
+        same[1] = same[1] && v[i].y == v->y;
+        same[2] = same[2] && v[i].z == v->z;
+    }
+    to->axis = same[0] ? 0 : same[1] ? 1 : 2;
+    to->level = same[to->axis];
+    to->height = (double)(to->axis == 0 ? v->x : to->axis == 1 ? v->y : v->z) * SURE_Q16;
+}
+
 static void set_trees(struct sure_scene *s, const struct tia_scene *scene, struct places *p)
 {
     struct sure_node *nodes = p->nodes;
@@ -183,6 +201,7 @@ static void set_trees(struct sure_scene *s, const struct tia_scene *scene, struc
         p->meshes[i].faces = faces;
         p->meshes[i].mesh = &scene->meshes[i];
         p->meshes[i].groups = scene->meshes[i].groups;
+        set_level(&p->meshes[i], &scene->meshes[i]);
         for (uint32_t k = 0; k < scene->meshes[i].face_count; k++)
             set_mesh_face(faces++, &scene->meshes[i], k);
         p->meshes[i].normals = (const double(*)[3])normals;

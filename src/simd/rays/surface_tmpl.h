@@ -13,7 +13,13 @@ struct shade {
     struct v3 point, local, outside, geometric, normal, viewer;
     vd ep, elocal, eoutside, eg, en, ev, facing, efacing;
     vd across; /* length of the direction's part in the plane in which the normal is off; at most 1 */
-    vd colour[3], specular[3], mirror[3], refraction[3], emission[3], flat[3], exponent, ecolour;
+    union {
+        struct {
+            vd colour[3], specular[3], mirror[3], refraction[3], emission[3], flat[3], exponent;
+        };
+        vd column[SURE_COLUMNS]; /* as those of struct sure_material */
+    };
+    vd ecolour;
     vm glossy, refracts, fresnel, back;
     vm unsure;
     vm exact; /* the normal's coordinates have the sign of the fixed-point ones, or are 0 where those are */
@@ -24,14 +30,6 @@ struct shade {
 };
 
 #define INSTANCE_AT(field) (int)(offsetof(struct sure_instance, field) / sizeof(double))
-
-/* Returns the address of column i of the lanes' materials. */
-LANE_OP vd *shade_column(struct shade *h, int i)
-{
-    vd *const group[] = {h->colour, h->specular, h->mirror, h->refraction, h->emission, h->flat};
-
-    return i < SURE_EXPONENT ? &group[i / 3][i % 3] : &h->exponent;
-}
 
 /* Returns the material of an object's element: cells of a grid have their own. */
 LANE_OP uint32_t material_at(const struct sure_object *o, uint32_t element)
@@ -61,7 +59,14 @@ LANE_OP void set_columns(struct shade *h, const struct sure_material *m, uint32_
 {
     for (int i = 0; i < SURE_COLUMNS; i++)
         if (groups >> i / 3 & 1)
-            *shade_column(h, i) = vsel(lanes, vset(m->column[i]), *shade_column(h, i));
+            h->column[i] = vsel(lanes, vset(m->column[i]), h->column[i]);
+}
+
+/* Sets a material's columns in all lanes. */
+LANE_OP void spread_columns(struct shade *h, const struct sure_material *m)
+{
+    for (int i = 0; i < SURE_COLUMNS; i++)
+        h->column[i] = vset(m->column[i]);
 }
 
 /* Sets the materials; returns the lanes whose material has a texture. */
@@ -70,17 +75,17 @@ static unsigned find_materials(const struct sure_scene *s, unsigned lanes, struc
     unsigned glossy = 0, refracts = 0, fresnel = 0, unknown = 0, textured = 0, same;
     uint32_t groups = 0;
 
+    spread_columns(h, &s->materials[h->material[__builtin_ctz(lanes)]]);
     for (int k = 0; k < LANES; k++)
         groups |= lanes >> k & 1 ? s->materials[h->material[k]].groups : 0;
-    for (int i = 0; i < SURE_COLUMNS; i++)
-        *shade_column(h, i) = vset(0);
     for (unsigned left = lanes; left; left &= ~same) {
         uint32_t material = h->material[__builtin_ctz(left)];
         const struct sure_material *m = &s->materials[material];
         same = 0;
         for (int k = 0; k < LANES; k++)
             same |= (unsigned)(h->material[k] == material) << k & left;
-        set_columns(h, m, groups, mof(same));
+        if (left != lanes)
+            set_columns(h, m, groups, mof(same));
         glossy |= m->is_specular ? same : 0;
         refracts |= m->refracts ? same : 0;
         fresnel |= m->fresnel ? same : 0;

@@ -15,6 +15,7 @@
 #include "flat_tmpl.h"
 #include "grid_tmpl.h"
 #include "instance_tmpl.h"
+#include "level_tmpl.h"
 #include "pairs_tmpl.h"
 #include "round_tmpl.h"
 #include "sphere_tmpl.h"
@@ -46,14 +47,20 @@ struct room {
 };
 
 /* Intersects one face of a pair. Bit 2 k stands for lane k: it is set in `maybe` if the line may pass inside the face's
- * edges, and in `inside` if it certainly does. */
+ * edges, and in `inside` if it certainly does. The face on which rays start is most often the only one that they may
+ * meet, so these lanes are left out first. */
 LANE_OP void meet_one_of(const struct sure_tree *tree, uint32_t face, unsigned maybe, unsigned inside, struct query *q)
 {
     const struct sure_flat *f = &tree->faces[face];
-    struct sides sides = {mof(half(inside)), mnot(mof(half(maybe)))};
+    unsigned lanes = half(maybe), own = lanes & q->lines->starts;
     double at[3];
 
-    if (maybe & ~inside & EVEN) {
+    if (own)
+        lanes &= ~(own & mbits(from_element(q, vset((double)face))));
+    if (!lanes)
+        return;
+    struct sides sides = {mof(half(inside)), mnot(mof(lanes))};
+    if (lanes & ~half(inside)) {
         const struct sure_face whole = sure_face_of(tree, face);
         sides = face_sides(q->p, &q->lines->line, &whole);
     }
@@ -109,7 +116,10 @@ LANE_OP void meet_unknown(struct query *q, vd near)
 
 LANE_OP void meet_mesh(const struct sure_scene *s, const struct sure_object *o, struct query *q)
 {
+    if (o->mesh->level && !any(mand(q->active, mnot(leaves_level(q, o->mesh)))))
+        return;
     lines_of(&q->room->lines, q->p, o->mesh);
+    q->room->lines.starts = mbits(starts_here(q));
     q->lines = &q->room->lines;
     walk_faces(s, o->mesh, q);
 }
@@ -173,8 +183,7 @@ static __attribute__((noinline)) void meet_grouped(const struct sure_scene *s, c
     struct group_list *groups = &q->room->groups; /* not cleared as a whole, since it is large */
 
     groups->full = 0;
-    for (int k = 0; k < LANES; k++)
-        groups->count[k] = 0;
+    groups->count = 0;
     q->groups = groups;
     meet_mesh(s, o, q);
     q->groups = NULL;
@@ -201,7 +210,8 @@ LANE_OP void meet_objects(const struct sure_scene *s, const struct sure_tree *tr
                           struct query *q)
 {
     for (uint32_t i = v->child.index; i < v->child.index + v->child.count; i++)
-        meet_object(s, tree->items[i], q, v);
+        if (tree->items[i] != q->tested)
+            meet_object(s, tree->items[i], q, v);
 }
 
 WALK(walk_together, meet_objects, stay, objects)
@@ -283,6 +293,7 @@ LANE_OP vm begin_nearest(const struct sure_scene *s, struct room *room, struct q
     q->work = SURE_PACKET + s->unbounded_count + s->light_count;
     q->active = mand(active, fine);
     q->any = q->solid = false;
+    q->tested = TIA_NO_OBJECT;
     q->groups = NULL;
     q->limit = q->t = q->low = vset(INFINITE);
     q->e = q->ep = vset(0);
@@ -323,7 +334,7 @@ static void find_shadow(const struct sure_scene *s, struct room *room, struct sh
     q->active = mand(active, fine);
     q->any = true;
     q->solid = false;
-    q->blocker = *blocker;
+    q->blocker = q->tested = *blocker;
     q->groups = NULL;
     q->group = 0;
     q->distance = shadow->distance;

@@ -1,6 +1,6 @@
 /* shapes.h - bounds of intersections: sphere_tmpl.h, flat_tmpl.h, triangle_tmpl.h, box_tmpl.h, grid_tmpl.h,
- * grid_ray_tmpl.h, slabs_tmpl.h, pairs_tmpl.h, instance_tmpl.h. O and D are a ray's origin and direction, eo and ed
- * their errors; a prime marks a fixed-point value. */
+ * grid_ray_tmpl.h, slabs_tmpl.h, instance_tmpl.h. O and D are a ray's origin and direction, eo and ed their errors; a
+ * prime marks a fixed-point value. */
 #ifndef TIA_SIMD_RAYS_BOUNDS_SHAPES_H
 #define TIA_SIMD_RAYS_BOUNDS_SHAPES_H
 
@@ -197,20 +197,6 @@ FORMULA(TRIANGLE_RETURN_DISTANCE);
 
 /* The error of the point where a ray returns to its face: eo, the error of t, t ed, and POINT_UNITS. */
 FORMULA(TRIANGLE_RETURN_POINT);
-
-/* ---- pairs of faces in floats, see pairs_tmpl.h ---- */
-
-/* The rounding of an area in floats, relative to (R + |M|) c: 25 roundings of 2^-24, see pairs_tmpl.h. Proved:
- * rays_pairs.g. */
-#define BOUND_PAIR_AREA (SURE_PAIR * P2M(24))
-
-/* The error l.each times a face's extent, divided by c, the pair's `size`: the extent is at most 3 c, as c is at least
- * the largest coordinate of any edge. */
-FORMULA(PAIR_EDGE);
-
-/* The relative rounding of the bound off + by c in floats: two conversions, a product and a sum, 2^-24 each. Needed:
- * half of 2^-21. Unseen: small. */
-#define BOUND_PAIR_ROUNDING P2M(21)
 
 /* ---- boxes, see box_tmpl.h ---- */
 
