@@ -48,7 +48,7 @@ static inline void simd_runs_scene(const struct tia_scene *scene, unsigned width
             for (int y = 0; y < (int)height; y += 3) {
                 struct simd_row row;
                 tia_simd_row(spans, y, &row);
-                if (y >= spans->spheres[n].rows.first && y < spans->spheres[n].rows.end)
+                if (spans->spheres[n].c > 0 && y >= spans->spheres[n].rows.first && y < spans->spheres[n].rows.end)
                     simd_runs_row(view, &row, n, try);
             }
     }
