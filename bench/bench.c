@@ -8,6 +8,7 @@
 #include <string.h>
 #include <tia/tia.h>
 
+#include "checked.h"
 #include "crowds.h"
 #include "float_loop.h"
 #include "lightfield.h"
@@ -35,12 +36,7 @@ struct frame {
 
 static void *memory(size_t size)
 {
-    void *p = malloc(size);
-    if (!p) {
-        (void)fprintf(stderr, "bench: out of memory\n");
-        exit(1);
-    }
-    return p;
+    return checked(malloc(size));
 }
 
 /* Prepares the built-in scene. Its light is above left, where key a puts it. */
@@ -58,18 +54,6 @@ static void prepare(struct frame *f, uint16_t width, uint16_t height)
         tia_hits_init(&f->hits, memory(hits_size), hits_size, f->view, f->area))
         exit(1);
     f->surface = (struct tia_surface){.pixels = memory((size_t)width * height * 2), .step = 2, .pitch = 2 * width};
-}
-
-static int by_value(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-static double median(double values[ROUNDS])
-{
-    qsort(values, ROUNDS, sizeof *values, by_value);
-    return values[ROUNDS / 2];
 }
 
 static void measure(uint16_t width, uint16_t height)
@@ -93,8 +77,8 @@ static void measure(uint16_t width, uint16_t height)
         ratio[i] = plain[i] / full[i];
         saved[i] = plain[i] / relit[i];
     }
-    printf("| %ux%u | %.1f | %.1f | %.1f | %.2f | %.2f |\n", width, height, median(full), median(relit), median(plain),
-           median(ratio), median(saved));
+    printf("| %ux%u | %.1f | %.1f | %.1f | %.2f | %.2f |\n", width, height, median(full, ROUNDS), median(relit, ROUNDS),
+           median(plain, ROUNDS), median(ratio, ROUNDS), median(saved, ROUNDS));
 }
 
 static void measure_frames(void)

@@ -7,6 +7,7 @@
 #include <tia/simd.h>
 #include <tia/tia.h>
 
+#include "checked.h"
 #include "milliseconds.h"
 #include "simd_rays.h"
 
@@ -88,15 +89,6 @@ static void make(const struct crowd *crowd, struct tia_scene *scene)
                                 .light_count = crowd->lights};
 }
 
-static void *checked(void *memory)
-{
-    if (!memory) {
-        (void)fprintf(stderr, "bench: out of memory\n");
-        exit(1);
-    }
-    return memory;
-}
-
 struct stage {
     struct tia_view *view;
     struct tia_hits *hits;
@@ -129,13 +121,6 @@ static double draw(const struct stage *s, tia_rgb565 *pixels)
     return cpu_milliseconds() - start;
 }
 
-static int by_value(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-
-    return (x > y) - (x < y);
-}
-
 /* Rays draw what has a direction that is up, even the usual one. */
 static void compare(const struct crowd *crowd, tia_rgb565 *pixels)
 {
@@ -158,11 +143,8 @@ static void compare(const struct crowd *crowd, tia_rgb565 *pixels)
         by_rays[i] = draw(&rays, pixels);
         ratio[i] = by_spans[i] / by_rays[i];
     }
-    qsort(by_spans, ROUNDS, sizeof *by_spans, by_value);
-    qsort(by_rays, ROUNDS, sizeof *by_rays, by_value);
-    qsort(ratio, ROUNDS, sizeof *ratio, by_value);
-    printf("| %s | %u | %u | %.1f | %.1f | %.2f |\n", crowd->name, crowd->spheres, crowd->lights, by_spans[ROUNDS / 2],
-           by_rays[ROUNDS / 2], ratio[ROUNDS / 2]);
+    printf("| %s | %u | %u | %.1f | %.1f | %.2f |\n", crowd->name, crowd->spheres, crowd->lights,
+           median(by_spans, ROUNDS), median(by_rays, ROUNDS), median(ratio, ROUNDS));
     free(boxes);
     for (int i = 0; i < 3; i++) {
         free(spans.part[i]);

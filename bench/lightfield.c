@@ -5,6 +5,7 @@
 
 #include <tia/tia.h>
 
+#include "checked.h"
 #include "common/scene/scene_load.h"
 #include "milliseconds.h"
 
@@ -12,13 +13,7 @@ enum { WIDTH = 640, HEIGHT = 360, ROUNDS = 3 };
 
 static void *memory(size_t size)
 {
-    void *p = malloc(size ? size : 1);
-
-    if (!p) {
-        (void)fprintf(stderr, "bench: out of memory\n");
-        exit(1);
-    }
-    return p;
+    return checked(malloc(size ? size : 1));
 }
 
 static void must(int status)

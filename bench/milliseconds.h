@@ -2,6 +2,7 @@
 #ifndef BENCH_MILLISECONDS_H
 #define BENCH_MILLISECONDS_H
 
+#include <stdlib.h>
 #include <time.h>
 
 #include "clock.h"
@@ -18,6 +19,20 @@ static inline double cpu_milliseconds(void)
 
     (void)clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
     return (double)t.tv_sec * 1e3 + (double)t.tv_nsec * 1e-6;
+}
+
+static inline int by_value(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+
+    return (x > y) - (x < y);
+}
+
+/* Returns the median of an odd number of measurements, and sorts them. */
+static inline double median(double *values, size_t count)
+{
+    qsort(values, count, sizeof *values, by_value);
+    return values[count / 2];
 }
 
 /* Updates the minimum of several measurements; *least is 0 before the first one. */

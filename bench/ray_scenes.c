@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "checked.h"
 #include "common/thread_pool.h"
 #include "milliseconds.h"
 
@@ -12,13 +13,7 @@
 
 void *ray_scene_memory(size_t size)
 {
-    void *p = malloc(size + 1);
-
-    if (!p) {
-        (void)fprintf(stderr, "bench: out of memory\n");
-        exit(1);
-    }
-    return p;
+    return checked(malloc(size + 1));
 }
 
 static void must(bool fine, const char *what)

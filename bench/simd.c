@@ -6,6 +6,7 @@
 #include <string.h>
 #include <tia/tia.h>
 
+#include "checked.h"
 #include "float_lanes.h"
 #include "float_loop.h"
 #include "milliseconds.h"
@@ -28,12 +29,7 @@ static void keep(struct best *best, double wall, double cpu)
 
 static void *memory(size_t size)
 {
-    void *p = pages_alloc(size + 1);
-    if (!p) {
-        (void)fprintf(stderr, "bench: out of memory\n");
-        exit(1);
-    }
-    return p;
+    return checked(pages_alloc(size + 1));
 }
 
 struct picture {

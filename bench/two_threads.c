@@ -8,6 +8,7 @@
 #include <string.h>
 #include <tia/tia.h>
 
+#include "checked.h"
 #include "common/thread_pool.h"
 #include "milliseconds.h"
 #include "pixels/pages.h"
@@ -22,15 +23,6 @@ struct stage {
     void *part[4]; /* view, memory of the SIMD kernels, hits, picture */
     bool relit;
 };
-
-static void *checked(void *memory)
-{
-    if (!memory) {
-        (void)fprintf(stderr, "bench: out of memory\n");
-        exit(1);
-    }
-    return memory;
-}
 
 /* Prepares a stage, with memory allocated as tia does. */
 static void set(struct stage *s, const struct tia_simd *simd)
@@ -143,18 +135,6 @@ static void measure_frames(const struct tia_simd *simd)
     threads_destroy(pool[1]);
 }
 
-static int by_value(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-static double median(double values[STARTS])
-{
-    qsort(values, STARTS, sizeof *values, by_value);
-    return values[STARTS / 2];
-}
-
 /* Measures the start-up, with new memory and a new pool each time. */
 static void measure_start(const struct tia_simd *simd)
 {
@@ -176,7 +156,7 @@ static void measure_start(const struct tia_simd *simd)
         strike(&s);
         threads_destroy(pool);
     }
-    double m = median(memory), f = median(first), t = median(tenth);
+    double m = median(memory, STARTS), f = median(first, STARTS), t = median(tenth, STARTS);
     printf("| %s | %.3f | %.3f | %.3f | %.2f |\n", name, m, f, t, f / t);
     (void)fflush(stdout);
 }

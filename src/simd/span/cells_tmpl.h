@@ -158,7 +158,7 @@ INLINE M light_cells(const struct simd_run *r, int l, F x, const struct value *o
             shade_by(&q->cast[j], v, &shades);
             tint_by(&q->cast[j], v.dark, tint, channels);
         }
-        good = m_and(good, m_or(away, m_or(shades.blocked, m_not(shades.open))));
+        good = m_and(good, m_or(away, is_decided(&shades)));
     }
     add_range(cells, l, i, lambert_of(q, x, o, square), tint, q, channels, gained);
     if (r->tied)

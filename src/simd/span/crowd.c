@@ -109,9 +109,9 @@ static void find_lamp(const struct piece *piece, uint32_t light, const uint8_t *
     lamp->plain = count > SIMD_CASTS;
     if (count < 0)
         lamp->colour[0] = lamp->colour[1] = lamp->colour[2] = 0;
-    for (int i = 0; i < count && !lamp->plain && !simd_is_out(lamp); i++)
+    for (int i = 0; i < count && !lamp->plain && !simd_is_black(lamp->colour); i++)
         add_caster(piece, from, found[i], lamp);
-    if (simd_is_out(lamp))
+    if (simd_is_black(lamp->colour))
         lamp->casts = 0;
 }
 

@@ -153,12 +153,6 @@ static void pass(const struct tia_scene *scene, uint32_t sphere, double tint[3])
     tint[2] *= (double)through->b * 0x1p-30;
 }
 
-/* True if all channels are 0. Products too small for doubles are 0 as well; their light changes no pixel. */
-static bool is_black(const double colour[3])
-{
-    return colour[0] == 0 && colour[1] == 0 && colour[2] == 0;
-}
-
 /* Multiplies `tint` by the transmissions of all spheres that shadow the light, and counts these in *passed; false when
  * one of them is undecided, unless the others leave no light. */
 static bool cast_shadows(const struct seat *seat, const struct simd_lamp *lamp, const struct point *o,
@@ -166,7 +160,6 @@ static bool cast_shadows(const struct seat *seat, const struct simd_lamp *lamp, 
 {
     const struct tia_scene *scene = seat->pixels->view->scene;
     const struct span_sphere *spheres = span_view_of(seat->pixels->view)->spheres;
-
     bool open = false;
 
     for (int i = 0; i < lamp->casts; i++) {
@@ -176,7 +169,7 @@ static bool cast_shadows(const struct seat *seat, const struct simd_lamp *lamp, 
         if (shadow != DARK)
             continue;
         pass(scene, j, tint);
-        if (is_black(tint))
+        if (simd_is_black(tint))
             return true;
         ++*passed;
     }
@@ -195,7 +188,7 @@ static bool add_light(const struct seat *seat, const struct simd_lamp *lamp, con
     struct way way;
     int passed = lamp->shades;
 
-    if (is_black(lamp->colour))
+    if (simd_is_black(lamp->colour))
         return true;
     if (!aim(seat, o, lamp->light, &way, &cosine))
         return false;

@@ -138,6 +138,11 @@ INLINE void shade_by(const struct simd_cast *c, struct verdict v, struct shades 
         shades->blocked = m_or(shades->blocked, v.dark);
 }
 
+INLINE M is_decided(const struct shades *shades)
+{
+    return m_or(shades->blocked, m_not(shades->open));
+}
+
 INLINE M add_light(const struct simd_light *q, F x, const struct value *o, F sum[3], int channels, int casts)
 {
     const F one = f_set(1), zero = f_set(0);
@@ -153,7 +158,7 @@ INLINE M add_light(const struct simd_light *q, F x, const struct value *o, F sum
         tint_by(&q->cast[j], v.dark, tint, channels);
     }
     if (casts)
-        good = m_and(good, m_or(m_not(facing), m_or(shades.blocked, m_not(shades.open))));
+        good = m_and(good, m_or(m_not(facing), is_decided(&shades)));
     for (int c = 0; c < channels; c++)
         sum[c] = f_min(one, f_fma(casts ? f_mul(lambert, tint[c]) : lambert, f_set(q->colour[c]), sum[c]));
     return good;

@@ -101,17 +101,16 @@ static void light_plainly(const struct tia_view *view, int y, uint32_t sphere, i
     }
 }
 
-/* Draws pixels first..end-1 by the kernels, with the casters of the given lamps, which are the sphere's own or, if
- * `crowd`, for these pixels alone. */
+/* Draws pixels first..end-1 by the kernels, with the casters of the given lamps, which are the sphere's own or those of
+ * the crowd, for these pixels alone. */
 static void light_part(const struct tia_view *view, const struct simd_row *row, uint32_t sphere,
-                       const struct simd_lamp *lamps, bool crowd, int first, int end, struct carried *carried,
-                       tia_rgb565 *out)
+                       const struct simd_lamp *lamps, int first, int end, struct carried *carried, tia_rgb565 *out)
 {
     const struct simd_pixels pixels = {view, row, sphere, lamps, first, carried->dither.threshold, out};
     struct simd_fine *fine = &carried->fine;
 
     if (!tia_simd_fine(view, row, sphere, lamps, first, end, fine) ||
-        !tia_simd_fine_bounds(fine, crowd ? NULL : simd_cache_of(carried->caches, fine))) {
+        !tia_simd_fine_bounds(fine, lamps == carried->crowd.lamp ? NULL : simd_cache_of(carried->caches, fine))) {
         tia_simd_decide(&pixels, NULL, end - first);
         return;
     }
@@ -137,7 +136,7 @@ static void light_pieces(const struct tia_view *view, const struct simd_row *row
             continue;
         }
         if (fits)
-            light_part(view, row, sphere, crowd->lamp, true, x, next, carried, out + (x - first));
+            light_part(view, row, sphere, crowd->lamp, x, next, carried, out + (x - first));
         else
             light_plainly(view, row->y, sphere, x, next, carried->dither.threshold, out + (x - first));
         most = 2 * most < PIECE ? 2 * most : PIECE;
@@ -163,7 +162,7 @@ static void light_span(const struct tia_view *view, const struct simd_row *row, 
             tia_simd_crowd(view, span->object, row->y, x, end, &carried->crowd);
             light_pieces(view, row, x, end, carried, out + (x - span->first));
         } else {
-            light_part(view, row, span->object, simd_lamp_of(view, span->object, 0), false, x, end, carried,
+            light_part(view, row, span->object, simd_lamp_of(view, span->object, 0), x, end, carried,
                        out + (x - span->first));
         }
     }

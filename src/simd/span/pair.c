@@ -17,7 +17,6 @@ static double length(struct num_vec a)
 size_t tia_simd_pairs_size(const struct tia_scene *scene, uint32_t light_capacity)
 {
     uint64_t pairs = (uint64_t)scene->sphere_count * light_capacity;
-
     const size_t each = sizeof(struct simd_lamp) + SIMD_CASTS_KEPT * sizeof(struct simd_caster);
 
     return pairs > SIZE_MAX / 2 / each ? SIZE_MAX : (size_t)pairs * each;
@@ -147,11 +146,11 @@ static void prepare_lamp(const struct tia_view *view, uint32_t n, uint32_t l, st
     channels(&view->lights[l].emission, emission);
     for (int c = 0; c < 3; c++)
         lamp->colour[c] = colour[c] *= emission[c];
-    for (uint32_t j = span_next_caster(&lit, l, 0); j < view->scene->sphere_count && !simd_is_out(lamp);
+    for (uint32_t j = span_next_caster(&lit, l, 0); j < view->scene->sphere_count && !simd_is_black(lamp->colour);
          j = span_next_caster(&lit, l, j + 1))
         if (!lamp->plain && !is_behind(sphere, lamp, &span_view_of(view)->spheres[j]))
             tia_simd_add_caster(view, n, j, lamp);
-    if (simd_is_out(lamp)) {
+    if (simd_is_black(lamp->colour)) {
         lamp->casts = 0;
         lamp->plain = false;
     }

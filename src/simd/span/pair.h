@@ -43,10 +43,10 @@ void tia_simd_add_caster(const struct tia_view *view, uint32_t n, uint32_t j, st
 /* True if the light is in the caster or on it. */
 bool tia_simd_encloses(const struct span_sphere *caster, struct num_vec light);
 
-/* True if no light arrives. Products too small for doubles are 0; their light changes no pixel. */
-static inline bool simd_is_out(const struct simd_lamp *lamp)
+/* True if all channels are 0. Products too small for doubles are 0 as well; their light changes no pixel. */
+static inline bool simd_is_black(const double colour[3])
 {
-    return lamp->colour[0] == 0 && lamp->colour[1] == 0 && lamp->colour[2] == 0;
+    return colour[0] == 0 && colour[1] == 0 && colour[2] == 0;
 }
 
 static inline const struct simd_lamp *simd_lamp_of(const struct tia_view *view, uint32_t sphere, uint32_t light)

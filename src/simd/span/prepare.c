@@ -56,7 +56,7 @@ bool tia_simd_fine(const struct tia_view *view, const struct simd_row *row, uint
     fine->emission[2] = (double)material->emission.b * 0x1p-30;
     fine->lights = 0;
     for (uint32_t l = 0; l < view->light_count; l++)
-        if (!simd_is_out(&lamps[l]))
+        if (!simd_is_black(lamps[l].colour))
             light_forms(fine, &lamps[l], &fine->light[fine->lights++]);
     return true;
 }
