@@ -87,6 +87,7 @@
 #define steps_walk NAMES(steps_walk)
 #define steps_upper NAMES(steps_upper)
 #define steps_compare NAMES(steps_compare)
+#define steps_decide NAMES(steps_decide)
 #define steps_point NAMES(steps_point)
 #define steps_side NAMES(steps_side)
 #define steps_draw NAMES(steps_draw)

@@ -107,19 +107,19 @@ static struct row_step between(const struct coarse_ball *a, const struct coarse_
     return (struct row_step){b->x - a->x, b->y - a->y, b->z - a->z};
 }
 
-static inline num_wide dot(const struct row_step *a, const struct row_step *b)
+static INLINED_IN_WORDS num_wide dot(const struct row_step *a, const struct row_step *b)
 {
     return num_mul(a->x, b->x) + num_mul(a->y, b->y) + num_mul(a->z, b->z);
 }
 
 /* Returns the part that a point E belongs to, or all of the arc from E to E + P, as far as one caster is concerned. No
- * point is farther from its segment than E's radius. */
-static NOINLINE enum span_part part_by(const struct coarse_ball *e, const struct row_step *p,
+ * point is farther than `off` from its segment. */
+static NOINLINE enum span_part part_by(const struct coarse_ball *e, num off, const struct row_step *p,
                                        const struct coarse_ball *light, const struct coarse_ball *caster)
 {
     struct row_step d = between(e, caster), g = between(e, light);
     num_wide a = dot(&g, &g), b = dot(&d, &g), square = dot(&d, &d), to_p = dot(&d, p);
-    num slack = e->radius + SLACK, rho = caster->radius + slack, deep = caster->radius - slack;
+    num slack = off + SLACK, rho = caster->radius + slack, deep = caster->radius - slack;
     num_wide k = square - num_mul(rho, rho);
     bool beyond = b >= a;
 
@@ -142,7 +142,7 @@ enum span_part span_part_of(const struct span_casters *casters, const struct coa
 {
     const struct row_step here = {0, 0, 0};
 
-    return part_by(ball, &here, &casters->coarse[casters->count + light], &casters->coarse[j]);
+    return part_by(ball, ball->radius, &here, &casters->coarse[casters->count + light], &casters->coarse[j]);
 }
 
 /* Returns the part that a point belongs to. */
@@ -154,7 +154,7 @@ static enum span_part part_at(const struct division *d, const struct coarse_ball
 
     for (uint32_t j = span_next_listed(casters, d->object, 0, 0); j < casters->count;
          j = span_next_listed(casters, d->object, 0, j + 1)) {
-        enum span_part by = part_by(point, &here, &casters->coarse[casters->count], &casters->coarse[j]);
+        enum span_part by = part_by(point, point->radius, &here, &casters->coarse[casters->count], &casters->coarse[j]);
         if (by == SPAN_DARK)
             return by;
         part = by == SPAN_LIT ? part : by;
@@ -162,33 +162,39 @@ static enum span_part part_at(const struct division *d, const struct coarse_ball
     return part;
 }
 
-/* True if all points between two of a part belong to it, as far as one caster is concerned: lit if that can be said by
- * either end, dark by both. */
-static bool is_all(const struct coarse_ball ends[2], const struct row_step p[2], const struct coarse_ball *light,
-                   const struct coarse_ball *caster, enum span_part part)
-{
-    bool second = part_by(&ends[1], &p[1], light, caster) == part;
+/* An arc of a row from one point to another, none of whose points is farther than `off` from the line between them. */
+struct row_arc {
+    const struct coarse_ball *begin, *end;
+    struct row_step forth, back;
+    num off;
+};
 
-    if (second == (part == SPAN_LIT))
-        return second;
-    return part_by(&ends[0], &p[0], light, caster) == part;
+/* True if all points of an arc of a part belong to it, as far as one caster is concerned: lit if that can be said by
+ * either end, dark by both. */
+static bool is_all(const struct row_arc *arc, const struct coarse_ball *light, const struct coarse_ball *caster,
+                   enum span_part part)
+{
+    bool by_end = part_by(arc->end, arc->off, &arc->back, light, caster) == part;
+
+    if (by_end == (part == SPAN_LIT))
+        return by_end;
+    return part_by(arc->begin, arc->off, &arc->forth, light, caster) == part;
 }
 
 /* True if all points between two of the same part belong to it. */
 static bool is_same_between(const struct division *d, const struct row_point *a, const struct row_point *b)
 {
     const struct span_casters *casters = &d->spans->casters;
-    struct row_step p[2] = {between(&a->ball, &b->ball), between(&b->ball, &a->ball)};
-    struct coarse_ball ends[2] = {a->ball, b->ball};
+    struct row_arc arc = {&a->ball, &b->ball, between(&a->ball, &b->ball), between(&b->ball, &a->ball), 0};
     num_wide doubt = a->ball.radius > b->ball.radius ? a->ball.radius : b->ball.radius;
-    num_wide chord = size_of(p[0].x, p[0].y, p[0].z) + 2 * doubt;
+    num_wide chord = size_of(arc.forth.x, arc.forth.y, arc.forth.z) + 2 * doubt;
 
     if (a->part != b->part || a->part == SPAN_OPEN || span_bits(chord) > 29)
         return false;
-    ends[0].radius = ends[1].radius = (num)(doubt + sag_of(chord, d->width));
+    arc.off = (num)(doubt + sag_of(chord, d->width));
     for (uint32_t j = span_next_listed(casters, d->object, 0, 0); j < casters->count;
          j = span_next_listed(casters, d->object, 0, j + 1))
-        if (is_all(ends, p, &casters->coarse[casters->count], &casters->coarse[j], a->part) != (a->part == SPAN_LIT))
+        if (is_all(&arc, &casters->coarse[casters->count], &casters->coarse[j], a->part) != (a->part == SPAN_LIT))
             return a->part != SPAN_LIT;
     return a->part == SPAN_LIT;
 }

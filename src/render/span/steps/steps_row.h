@@ -64,6 +64,9 @@ void steps_point(const struct step_row *row, struct step_point *point);
  * in all, the upper words of the difference of their squares by up to `margin`. */
 int steps_compare(const struct colour_steps *steps, uint64_t d, int32_t a, int32_t w, int32_t margin, int32_t doubt);
 
+/* The same by 64 bits; D's upper word is too large by up to `above`. */
+int steps_decide(const struct colour_steps *steps, uint64_t d, int32_t a, int32_t w, int32_t doubt, int32_t above);
+
 /* Returns 1 if u is at or above step k at a pixel, -1 if it is below, 0 in doubt. */
 int steps_side(const struct colour_steps *steps, const struct step_point *point, int k);
 

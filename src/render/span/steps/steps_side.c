@@ -29,14 +29,13 @@ static int64_t form_at(const struct step_point *point, int32_t w)
     return point->g - tia_mul_s32(w, point->b);
 }
 
-/* Decides by 64 bits whether A is at least W S at a pixel: 1, or -1, or 0 in doubt. A and W S are off by up to `doubt`
- * in all. */
-static NOINLINE int decide(const struct colour_steps *steps, uint64_t d, int32_t a, int32_t w, int32_t doubt)
+NOINLINE int steps_decide(const struct colour_steps *steps, uint64_t d, int32_t a, int32_t w, int32_t doubt,
+                          int32_t above)
 {
     int64_t square = tia_mul_s32(w, w), root = (tia_mul_s32(w < 0 ? -w : w, steps->root_most) >> 32) + 1;
     int64_t left = tia_mul_s32(a, a < 0 ? -a : a), right = steps_upper(square, (int64_t)d);
     uint64_t of_a = tia_mul_u32((uint32_t)(2 * root + doubt), (uint32_t)doubt);
-    int64_t margin = (int64_t)(of_a + tia_mul_u32((uint32_t)(square >> 32) + 1, 2 * (uint32_t)steps->depth_doubt) + 4);
+    int64_t margin = (int64_t)(of_a + tia_mul_u32((uint32_t)(square >> 32) + 1, (uint32_t)above) + 4);
     int64_t more = left - (w < 0 ? -right : right);
 
     return more > margin ? 1 : more < -margin ? -1 : 0;
@@ -46,7 +45,7 @@ int steps_compare(const struct colour_steps *steps, uint64_t d, int32_t a, int32
 {
     int32_t more = steps_square(a) - steps_high(steps_square(w), steps_top((int64_t)d));
 
-    return more > margin ? 1 : more < -margin ? -1 : decide(steps, d, a, w, doubt);
+    return more > margin ? 1 : more < -margin ? -1 : steps_decide(steps, d, a, w, doubt, 2 * steps->depth_doubt);
 }
 
 int steps_side(const struct colour_steps *steps, const struct step_point *point, int k)

@@ -33,62 +33,73 @@ static int32_t margin_at(const struct colour_steps *steps, int32_t a, int32_t sq
     return (int32_t)of_a + (int32_t)of_d + 2 + STEPS_BOUND(STEPS_MARGIN);
 }
 
-/* Returns 1 if u at pixel `at` has passed step k, whose A^2 - W^2 D is about `more`, -1 if not, 0 in doubt. */
-static NOINLINE int settle(struct step_row *row, int at, int k, int way, int32_t more, int32_t a, int32_t square)
+/* A run being walked. */
+struct walk {
+    struct step_row *row;
+    const tia_rgb565 *pixels; /* the run's first pixel */
+    int first, way;           /* that pixel's number, and the direction in which u changes */
+};
+
+/* Returns 1 if u at a pixel has passed step k, whose A^2 - W^2 D is about `more`, -1 if not, 0 in doubt: first by the
+ * run's A, which is `way` times a, and D, then by the pixel's. */
+static NOINLINE int settle(const struct walk *walk, const tia_rgb565 *pixel, int k, int32_t more, int32_t a, int32_t d)
 {
-    int32_t margin = margin_at(row->steps, a, square);
+    struct step_row *row = walk->row;
+    const int32_t w = row->steps->at[k], margin = margin_at(row->steps, a, steps_square(w));
     struct step_point point;
 
     if (more > margin || more < -margin)
         return more > margin ? 1 : -1;
-    row->at = at;
+    int side = steps_decide(row->steps, (uint64_t)(uint32_t)d << 32, walk->way * a, w, row->steps->walk_doubt,
+                            STEPS_BOUND(STEPS_WALKED) + 2 * row->steps->depth_doubt);
+    if (side)
+        return walk->way * side;
+    row->at = walk->first + (int)(pixel - walk->pixels);
     steps_point(row, &point);
-    return way * steps_side(row->steps, &point, k);
+    return walk->way * steps_side(row->steps, &point, k);
 }
 
 int steps_walk(struct step_row *row, int way, int count, tia_rgb565 *pixels)
 {
-    const int first = row->at;
-    uint64_t step = row->d_step + steps_times(row->d_twice, first);
+    const struct colour_steps *steps = row->steps;
+    const struct walk walk = {row, pixels, row->at, way};
+    const int64_t g_step = way * row->g_step + STEPS_HALF;
+    const int32_t b_step = way * steps_top(row->b_step + STEPS_HALF), margin = steps->walk_margin;
+    tia_rgb565 *next = pixels, *const end = pixels + count;
+    uint64_t step = row->d_step + steps_times(row->d_twice, row->at);
     struct step_point point;
-    int i = 0;
 
     if (!is_smooth(row, step))
         return 0;
     steps_point(row, &point);
     int32_t d = steps_top((int64_t)point.d) + STEPS_BOUND(STEPS_WALKED);
     int32_t d_step = with_fraction(step), d_twice = with_fraction(row->d_twice);
-    int32_t b = point.b, b_step = steps_top(row->b_step + STEPS_HALF);
-    int32_t g = way * steps_top(point.g), g_step = way * steps_top(row->g_step + STEPS_HALF);
-    int32_t margin = row->steps->walk_margin;
-    while (i < count) {
-        int k = way > 0 ? row->index : row->index - 1;
-        tia_rgb565 pixel = steps_shown(row);
-        if (k < 0 || k >= row->steps->count) {
-            span_fill(pixels + i, count - i, pixel);
-            i = count;
+    const int32_t g = way * steps_top(point.g), b = way * point.b;
+    int k = way > 0 ? row->index : row->index - 1, left = way > 0 ? steps->count - k : k + 1, side = 1;
+    while (next < end && side > 0) {
+        const tia_rgb565 pixel = pixel_order(steps->pixel[k + (way < 0)], TIA_SWAP && row->swap);
+        if (left-- <= 0) {
+            span_fill(next, (int)(end - next), pixel);
+            next = end;
             break;
         }
-        int32_t w = row->steps->at[k], a_step = way * steps_top(row->g_step - tia_mul_s32(w, b_step) + STEPS_HALF);
-        int32_t a = g + i * g_step - way * steps_high(w, b + i * b_step), square = way * steps_square(w);
-        bool passed = false;
-        while (i < count) {
+        const int32_t w = steps->at[k], square = way * steps_square(w), i = (int32_t)(next - pixels);
+        const int32_t a_step = steps_top(g_step - tia_mul_s32(w, b_step));
+        int32_t a = g + i * steps_top(g_step) - steps_high(w, b + i * b_step);
+        for (side = -1; next < end; a += a_step) {
             int32_t more = steps_square(a) - steps_high(square, d);
-            if (more >= -margin) {
-                int side = more > margin ? 1 : settle(row, first + i, k, way, more, a, square);
-                if (!side)
-                    return i;
-                passed = side > 0;
-                if (passed)
+            if (UNLIKELY(more >= -margin)) {
+                side = LIKELY(more > margin) ? 1 : settle(&walk, next, k, more, a, d);
+                if (side >= 0)
                     break;
             }
-            pixels[i++] = pixel;
+            *next++ = pixel;
             d += d_step >> FRACTION;
             d_step += d_twice;
-            a += a_step;
         }
-        row->index += passed ? way : 0;
+        k += side > 0 ? way : 0;
     }
-    row->at = first + i;
-    return i;
+    row->index = k + (way < 0);
+    row->at = walk.first + (int)(next - pixels);
+    return (int)(next - pixels);
 }
