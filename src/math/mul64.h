@@ -66,12 +66,12 @@ SHARED int64_t tia_mul_s32(int32_t a, int32_t b)
 #define TIA_OPAQUE(x) (void)(x)
 #endif
 
-static inline uint64_t tia_mul_u32(uint32_t a, uint32_t b)
+static INLINED_IN_WORDS uint64_t tia_mul_u32(uint32_t a, uint32_t b)
 {
     return (uint64_t)a * b;
 }
 
-static inline int64_t tia_mul_s32(int32_t a, int32_t b)
+static INLINED_IN_WORDS int64_t tia_mul_s32(int32_t a, int32_t b)
 {
     TIA_OPAQUE(a);
     TIA_OPAQUE(b);
