@@ -79,4 +79,16 @@ static INLINED_IN_WORDS int64_t tia_mul_s32(int32_t a, int32_t b)
 }
 
 #endif
+
+/* Returns the product's upper word, rounded down. */
+static INLINED_IN_WORDS int32_t tia_high_s32(int32_t a, int32_t b)
+{
+#if TIA_UPPER_PRODUCTS
+    int32_t high;
+    __asm__("smmul %0, %1, %2" : "=r"(high) : "r"(a), "r"(b));
+    return high;
+#else
+    return (int32_t)(tia_mul_s32(a, b) >> 32);
+#endif
+}
 #endif

@@ -13,6 +13,14 @@
 #define TIA_HALF_PRODUCTS 0
 #endif
 
+/* 1 if there is an instruction, smmul, for the upper word of a product, which gcc does not use: ARMv6 and later, in
+ * Thumb ARMv7E-M and ARMv7-A, such as Cortex-M4 and M7. */
+#if defined(__GNUC__) && defined(__ARM_FEATURE_DSP) && __ARM_ARCH >= 6 && (__ARM_ARCH >= 7 || !defined(__thumb__))
+#define TIA_UPPER_PRODUCTS 1
+#else
+#define TIA_UPPER_PRODUCTS 0
+#endif
+
 /* 1 if numbers of two words have code of their own beside that for any number of words: 64-bit processors, and those
  * with Thumb-2, such as Cortex-M3. It takes 2.4 KB of flash, for which others have no room in 64 KiB. */
 #if UINTPTR_MAX > UINT32_MAX || defined(__thumb2__)

@@ -19,7 +19,7 @@
 static inline int32_t steps_high(int32_t a, int32_t b)
 {
     if (!STEPS_HALVES)
-        return (int32_t)(tia_mul_s32(a, b) >> 32);
+        return tia_high_s32(a, b);
     int16_t a1 = (int16_t)(a >> 16), b1 = (int16_t)(b >> 16);
     uint16_t a0 = (uint16_t)a, b0 = (uint16_t)b;
     return (int32_t)a1 * b1 + ((int32_t)((int32_t)a1 * b0) >> 16) + ((int32_t)((int32_t)b1 * a0) >> 16);

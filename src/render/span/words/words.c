@@ -19,12 +19,12 @@ uint32_t words_high_apart(uint32_t a, uint32_t b)
 
 static NOINLINE int32_t high_signed_apart(int32_t a, int32_t b)
 {
-    return (int32_t)(tia_mul_s32(a, b) >> 32);
+    return tia_high_s32(a, b);
 }
 
 static inline int32_t high_signed(int32_t a, int32_t b)
 {
-    return TIA_HALF_PRODUCTS ? high_signed_apart(a, b) : (int32_t)(tia_mul_s32(a, b) >> 32);
+    return TIA_HALF_PRODUCTS ? high_signed_apart(a, b) : tia_high_s32(a, b);
 }
 
 /* ---- points ---- */
