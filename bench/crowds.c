@@ -11,7 +11,7 @@
 #include "milliseconds.h"
 #include "simd_rays.h"
 
-enum { WIDTH = 640, HEIGHT = 480, SPHERES = 254, LIGHTS = 16, MATERIALS = 6, ROUNDS = 9 };
+enum { WIDTH = 640, HEIGHT = 480, SPHERES = 254, LIGHTS = 255, MATERIALS = 6, ROUNDS = 9 };
 
 static struct tia_material materials[MATERIALS];
 static struct tia_sphere spheres[SPHERES];
@@ -155,15 +155,35 @@ static void compare(const struct crowd *crowd, tia_rgb565 *pixels)
 void bench_crowds(void)
 {
     static const struct crowd crowds[] = {{"above a ground", above_ground, 16, 4},
+                                          {"above a ground", above_ground, 16, 32},
+                                          {"above a ground", above_ground, 16, 64},
                                           {"above a ground", above_ground, 64, 4},
+                                          {"above a ground", above_ground, 64, 32},
+                                          {"above a ground", above_ground, 64, 64},
                                           {"above a ground", above_ground, 254, 1},
                                           {"above a ground", above_ground, 254, 4},
                                           {"above a ground", above_ground, 254, 16},
+                                          {"above a ground", above_ground, 254, 32},
+                                          {"above a ground", above_ground, 254, 64},
+                                          {"above a ground", above_ground, 254, 255},
+                                          {"a cloud", in_cloud, 16, 32},
+                                          {"a cloud", in_cloud, 64, 32},
                                           {"a cloud", in_cloud, 254, 4},
                                           {"a cloud", in_cloud, 254, 16},
+                                          {"a cloud", in_cloud, 254, 32},
+                                          {"a cloud", in_cloud, 254, 64},
+                                          {"a heap", in_heap, 16, 32},
+                                          {"a heap", in_heap, 64, 32},
                                           {"a heap", in_heap, 254, 1},
                                           {"a heap", in_heap, 254, 4},
-                                          {"a wall", in_wall, 192, 4}};
+                                          {"a heap", in_heap, 254, 16},
+                                          {"a heap", in_heap, 254, 32},
+                                          {"a heap", in_heap, 254, 64},
+                                          {"a wall", in_wall, 64, 32},
+                                          {"a wall", in_wall, 192, 4},
+                                          {"a wall", in_wall, 192, 16},
+                                          {"a wall", in_wall, 192, 32},
+                                          {"a wall", in_wall, 192, 64}};
     tia_rgb565 *pixels = checked(malloc((size_t)WIDTH * HEIGHT * sizeof *pixels));
 
     printf("| crowd | spheres | lights | spans, ms | rays, ms | spans/rays |\n|---|--:|--:|--:|--:|--:|\n");

@@ -10,26 +10,41 @@
 #include "simd/span/bound_cache.h"
 #include "simd/span/crowd.h"
 
-/* Called with tia_simd_fine's result for each run that the kernels draw. */
+/* Called with the forms of each run that the kernels draw, and of each light of a run that is drawn light by light. */
 typedef void simd_runs_try(const struct simd_fine *fine);
+
+static inline void simd_runs_crowd(const struct tia_view *view, const struct simd_row *row, uint32_t sphere,
+                                   struct span span, simd_runs_try *try)
+{
+    static struct simd_fine fine;
+    static struct simd_crowd crowd;
+
+    span.end = span.end - span.first > SIMD_BLOCK ? span.first + SIMD_BLOCK : span.end;
+    tia_simd_crowd(view, sphere, row->y, span.first, span.end, &crowd);
+    if (!tia_simd_fine_place(view, row, sphere, span.first, span.end, &fine))
+        return;
+    for (uint32_t l = 0; l < view->light_count; l++) {
+        const struct simd_lamp *lamp = tia_simd_crowd_lamp(view, &crowd, l);
+        fine.lights = fine.casts = 0;
+        if (lamp)
+            tia_simd_fine_light(&fine, lamp);
+        if (fine.lights)
+            try(&fine);
+    }
+}
 
 static inline void simd_runs_row(const struct tia_view *view, const struct simd_row *row, uint32_t sphere,
                                  simd_runs_try *try)
 {
     static struct simd_fine fine;
-    static struct simd_crowd crowd;
-    const struct simd_lamp *lamps = simd_lamp_of(view, sphere, 0);
     struct span span = span_sphere_row(view, sphere, row->y, (struct span){0, 0});
 
     if (span.end - span.first > SIMD_RUN)
         span.end = span.first + SIMD_RUN;
-    if (span.first < span.end && tia_simd_is_crowded(view, sphere)) {
-        span.end = span.end - span.first > SIMD_CROWD ? span.first + SIMD_CROWD : span.end;
-        tia_simd_crowd(view, sphere, row->y, span.first, span.end, &crowd);
-        span.end = span.end - span.first > 64 ? span.first + 64 : span.end;
-        lamps = tia_simd_crowd_lamps(view, &crowd, span.first, span.end) ? crowd.lamp : NULL;
-    }
-    if (span.first < span.end && lamps && tia_simd_fine(view, row, sphere, lamps, span.first, span.end, &fine))
+    if (span.first < span.end && tia_simd_is_crowded(view, sphere))
+        simd_runs_crowd(view, row, sphere, span, try);
+    else if (span.first < span.end &&
+             tia_simd_fine(view, row, sphere, simd_lamp_of(view, sphere, 0), span.first, span.end, &fine))
         try(&fine);
 }
 
@@ -39,8 +54,7 @@ static inline void simd_runs_scene(const struct tia_scene *scene, unsigned width
     void *memory = malloc(size), *pairs = malloc(more + 1);
     struct tia_view *view;
 
-    if (scene->light_count && scene->light_count <= SIMD_LIGHTS &&
-        !tia_view_init(&view, memory, size, scene, scene->light_count, width, height, NULL)) {
+    if (scene->light_count && !tia_view_init(&view, memory, size, scene, scene->light_count, width, height, NULL)) {
         const struct span_view *spans = span_view_of(view);
         view->simd_memory = pairs;
         tia_simd_prepare(view);

@@ -26,7 +26,7 @@ static void try_caster(const struct tried *p, const struct truth_way *way, int l
 {
     const struct tia_scene *scene = p->fine->view->scene;
     const struct simd_caster *from = &p->fine->light[l].lamp->cast[j];
-    const struct simd_cast_bounds *b = &p->fine->light[l].cast[j].bounds;
+    const struct simd_cast_bounds *b = &p->fine->cast[p->fine->light[l].first + j].bounds;
     const struct tia_sphere *sphere = &scene->spheres[from->sphere];
     struct toward got = toward_caster(&p->run->light[l].cast[j], f_set(p->x), &p->value);
     struct truth_caster exact;
@@ -36,6 +36,15 @@ static void try_caster(const struct tried *p, const struct truth_way *way, int l
     truth_approach(&p->truth, way, centre, (quad)sphere->radius / 65536, &exact);
     use(&bounds[TOWARD], (real)(got.a[0] * square - exact.a), b->a);
     use(&bounds[POWER], (real)(got.k[0] * square - exact.h / (1 + (quad)p->fine->light[l].lamp->swell)), b->k);
+}
+
+/* Returns the place of a lamp's light. */
+static struct tia_vec3 light_of(const struct tia_view *view, const struct simd_lamp *lamp)
+{
+    const struct tia_vec3 *eye = &view->scene->camera.eye;
+
+    return (struct tia_vec3){(tia_q16)(lamp->light.x + eye->x), (tia_q16)(lamp->light.y + eye->y),
+                             (tia_q16)(lamp->light.z + eye->z)};
 }
 
 static void try_lights(const struct tried *p)
@@ -50,7 +59,7 @@ static void try_lights(const struct tried *p)
         F cosine = lambert_of(light, f_set(p->x), &p->value, square);
         struct truth_way way;
         quad q[3];
-        truth_place(view->scene, view->lights[lamp - p->fine->lamps].centre, q);
+        truth_place(view->scene, light_of(view, lamp), q);
         truth_look(&p->truth, q, &way);
         use(&bounds[SQUARE], (real)(square[0] * p->t * p->t / way.square - 1), b->square);
         use(&bounds[LAMBERT], (real)(cosine[0] - way.cosine), b->lambert);

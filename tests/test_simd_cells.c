@@ -50,9 +50,9 @@ static real lambert(const struct simd_fine_light *light, real x, const struct tr
     return (light->lamp->k + (light->g[0] + light->g[1] * x) / o->s) * light->lamp->per_r / sqrtl(w);
 }
 
-static bool is_dark(const struct simd_fine_light *light, real x, const struct truth *o)
+static bool is_dark(const struct simd_fine *f, const struct simd_fine_light *light, real x, const struct truth *o)
 {
-    const struct simd_fine_cast *cast = &light->cast[0];
+    const struct simd_fine_cast *cast = &f->cast[light->first];
     real w = form(light->lamp->qq, light->q, x, o), a = form(cast->a[0], cast->a + 1, x, o);
 
     return a > 0 && (a < w || light->lamp->cast[0].encloses) &&
@@ -111,8 +111,8 @@ static void try_turn(const struct simd_fine *f, const struct simd_run *r, const 
     const double *d = f->seen.d;
     real x = f->place.low + i * SIMD_CELL, root = sqrtl(truth_at(f, x).depth);
 
-    if (cells->d[i] >= r->cut)
-        use(&bounds[TURN], fabsl(f->seen.b[1] + (d[1] + 2 * x * d[2]) / (2 * root)), cells->turn[i]);
+    if (cells->at.d[i] >= r->cut)
+        use(&bounds[TURN], fabsl(f->seen.b[1] + (d[1] + 2 * x * d[2]) / (2 * root)), cells->at.turn[i]);
 }
 
 /* Checks the motion of P = t v with t = c/S: t' = -t S'/S, t'' = t (2 (S'/S)^2 - S''/S). */
@@ -134,8 +134,9 @@ static void try_pixel(const struct simd_fine *f, const struct simd_run *r, const
     real x = f->place.low + cell * SIMD_CELL + i;
     struct truth o = truth_at(f, x);
     const struct simd_light *q = &r->light[0];
+    const struct lines *lines = &cells->light[0];
     float at = (float)(i - HALF_CELL), costs = (r->near63 - cells->near63[cell]) / 63;
-    float line = cells->middle[0][cell] + at * cells->turn_of[0][cell] + fabsf(at) * cells->bend_of[0][cell];
+    float line = lines->middle[cell] + at * lines->turn_of[cell] + fabsf(at) * lines->bend_of[cell];
     real exact = lambert(&f->light[0], x, &o), off = fabsl(line - exact) - q->faint - SIMD_LINE * 0x1p-24L;
 
     CHECK(fabsf((r->near31 - cells->near31[cell]) / 31 - costs) < 0x1p-20f);
@@ -146,28 +147,28 @@ static void try_pixel(const struct simd_fine *f, const struct simd_run *r, const
         CHECK(off <= 0x1p-13L);
     if (q->casts != 1 || exact < q->faint || q->cast[0].clear)
         return;
-    bool said = cells->weight[0][0][cell] == 0 && q->colour[0] > 0;
+    bool said = lines->weight[0][cell] == 0 && q->colour[0] > 0;
     lit += !said;
     dark += said;
     if (q->colour[0] > 0)
-        CHECK_MSG(is_dark(&f->light[0], x, &o) == said, "pixel %d of a %s cell is not", i, said ? "dark" : "lit");
+        CHECK_MSG(is_dark(f, &f->light[0], x, &o) == said, "pixel %d of a %s cell is not", i, said ? "dark" : "lit");
 }
 
 static void try_cells(const struct simd_fine *f, const struct simd_run *r, struct cells *cells, int count)
 {
     const struct body k = body_of(r);
 
-    take_samples(r, &k, count + 1, r->lights, cells);
+    take_samples(r, &k, count + 1, r->lights, &cells->at, cells->light);
     judge_cells(r, &k, count, r->grey, r->lights, 2, cells);
     for (int i = 0; i <= count; i++)
         try_turn(f, r, cells, i);
     for (int cell = 0; cell < count; cell++) {
-        float low = fminf(cells->d[cell], cells->d[cell + 1]);
+        float low = fminf(cells->at.d[cell], cells->at.d[cell + 1]);
         M good;
         if (!(cells->good >> cell & 1) || r->lights == 0)
             continue;
         flat += cells->flat >> cell & 1;
-        struct motion motion = motion_over(r, cells, cell, &good);
+        struct motion motion = motion_over(r, &cells->at, cell, &good);
         for (int i = 0; i <= SIMD_CELL; i += 2) {
             real x = f->place.low + cell * SIMD_CELL + i;
             try_motion(f, x, motion.first[0], motion.second[0]);
@@ -192,13 +193,14 @@ static void try_run(const struct simd_fine *run)
     tia_simd_dither(false, fine.row->y, &dither);
     tia_simd_run(&fine, &dither, &r);
     const struct body k = body_of(&r);
-    bool free = run->view->light_count == 1 && r.lights == 1 && r.light[0].casts == 0 && fine.light[0].lamp->shades == 0;
+    bool free =
+        run->view->light_count == 1 && r.lights == 1 && r.light[0].casts == 0 && fine.light[0].lamp->shades == 0;
     for (int i = 0; free && i < r.count; i += 5 * N)
         try_levels(&fine, &r, &k, i);
     if (count < 1)
         return;
-    cells.start = 0;
-    cells.x0 = r.x0;
+    cells.at.start = 0;
+    cells.at.x0 = r.x0;
     try_cells(&fine, &r, &cells, count);
 }
 
@@ -274,7 +276,7 @@ static void no_less(const struct simd_fine *kept, const struct simd_fine *alone)
         CHECK(p->bounds.lambert >= q->bounds.lambert && p->bounds.square >= q->bounds.square);
         CHECK(p->bounds.distance <= q->bounds.distance);
         for (int j = 0; j < p->lamp->casts; j++) {
-            const struct simd_cast_bounds *m = &p->cast[j].bounds, *n = &q->cast[j].bounds;
+            const struct simd_cast_bounds *m = &kept->cast[p->first + j].bounds, *n = &alone->cast[q->first + j].bounds;
             CHECK(m->a >= n->a && m->k >= n->k && m->w >= n->w);
         }
     }
@@ -286,6 +288,8 @@ static void try_kept(const struct simd_fine *run)
     static struct simd_bound_cache cache;
     static const struct tia_scene *scene;
 
+    if (tia_simd_is_crowded(run->view, run->sphere))
+        return; /* its bounds are not kept */
     if (scene != run->view->scene || run->row->y < 3)
         cache.known = false;
     scene = run->view->scene;

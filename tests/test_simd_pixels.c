@@ -5,6 +5,9 @@
 #include "simd_truth.h"
 #include "simd_used.h"
 
+#include "simd/span/point.c"
+
+#undef U
 #include "simd/span/exact.c"
 #include "simd/span/seen.c"
 
@@ -24,11 +27,11 @@ static quad distance(const double got[3], const quad exact[3])
     return quad_root(quad_dot(d, d));
 }
 
-static void try_caster(const struct seat *seat, const struct point *o, const struct way *way, const struct truth *truth,
-                       const struct truth_way *truth_way, uint32_t j)
+static void try_caster(const struct simd_seat *seat, const struct simd_point *o, const struct way *way,
+                       const struct truth *truth, const struct truth_way *truth_way, uint32_t j)
 {
-    const struct tia_scene *scene = seat->pixels->view->scene;
-    const struct span_sphere *caster = &span_view_of(seat->pixels->view)->spheres[j];
+    const struct tia_scene *scene = seat->view->scene;
+    const struct span_sphere *caster = &span_view_of(seat->view)->spheres[j];
     struct meeting m = meet(o, way, caster);
     struct truth_caster exact;
     quad centre[3];
@@ -42,16 +45,17 @@ static void try_caster(const struct seat *seat, const struct point *o, const str
 }
 
 /* Tries the lights of a pixel, and its red channel without shadows. */
-static void try_lights(const struct seat *seat, const struct point *o, const struct truth *truth)
+static void try_lights(const struct matter *m, uint32_t sphere, const struct simd_point *o, const struct truth *truth)
 {
-    const struct tia_view *view = seat->pixels->view;
+    const struct simd_seat *seat = &m->seat;
+    const struct tia_view *view = seat->view;
     const struct tia_scene *scene = view->scene;
-    const struct tia_material *material = &scene->materials[scene->spheres[seat->pixels->sphere].material];
+    const struct tia_material *material = &scene->materials[scene->spheres[sphere].material];
     quad channel = (quad)material->emission.r * 0x1p-30;
     struct sum sum = {.channel = {(double)channel, 0, 0}};
 
     for (uint32_t l = 0; l < view->light_count; l++) {
-        struct simd_lamp lamp = *simd_lamp_of(view, seat->pixels->sphere, l);
+        struct simd_lamp lamp = *simd_lamp_of(view, sphere, l);
         struct truth_way exact;
         struct way way;
         double cosine;
@@ -63,12 +67,11 @@ static void try_lights(const struct seat *seat, const struct point *o, const str
         use(&bounds[SQUARE], (real)(way.square / (exact.square * STEP * STEP) - 1), way.e_w);
         use(&bounds[COSINE], (real)(cosine - exact.cosine), way.e_c);
         for (uint32_t j = 0; j < scene->sphere_count; j++)
-            if (j != seat->pixels->sphere)
+            if (j != sphere)
                 try_caster(seat, o, &way, truth, &exact, j);
-        lamp.plain = false;
-        lamp.casts = lamp.shades = 0;
+        lamp.shades = 0;
         lamp.colour[0] = (double)material->colour.r * 0x1p-30 * ((double)view->lights[l].emission.r * 0x1p-30);
-        if (!add_light(seat, &lamp, o, &sum))
+        if (!add_light(m, &lamp, &(struct simd_blockers){0}, o, &sum))
             return;
         quad colour = (quad)material->colour.r * view->lights[l].emission.r * 0x1p-60;
         channel += exact.cosine > 0 ? exact.cosine * colour : 0;
@@ -76,38 +79,39 @@ static void try_lights(const struct seat *seat, const struct point *o, const str
     use(&bounds[CHANNEL], (real)(sum.channel[0] - (channel > 1 ? 1 : channel)), sum.off[0]);
 }
 
-static void try_pixel(const struct seat *seat, quad depth, int x)
+static void try_pixel(const struct matter *m, uint32_t number, quad depth, int x)
 {
-    const struct simd_row *row = seat->pixels->row;
-    const struct tia_view *view = seat->pixels->view;
-    const struct tia_sphere *sphere = &view->scene->spheres[seat->pixels->sphere];
+    const struct simd_seat *seat = &m->seat;
+    const struct simd_row *row = seat->row;
+    const struct tia_view *view = seat->view;
+    const struct tia_sphere *sphere = &view->scene->spheres[number];
     const int size[2] = {(int)view->width, (int)view->height};
     struct simd_distance at;
     struct truth truth;
-    struct point o;
+    struct simd_point o;
 
-    if (!simd_distance_at(seat->primary, row, x, seat->sphere, &at) || !find_point(seat, x, &o))
+    if (!simd_distance_at(seat->primary, row, x, seat->sphere, &at) || !tia_simd_point(seat, x, &o))
         return;
     truth_meet(view->scene, size, depth, x, row->y, sphere->centre, sphere->radius, &truth);
     quad t = truth.t * STEP / ((quad)1 * ((num_wide)1 << seat->primary->exponent));
     use(&bounds[DISTANCE], (real)(at.t / t - 1), at.off);
     use(&bounds[POINT], (real)distance(o.p, truth.p), o.moved);
     use(&bounds[START], (real)distance(o.start, truth.start), o.started);
-    try_lights(seat, &o, &truth);
+    try_lights(m, number, &o, &truth);
 }
 
 static void try_run(const struct simd_fine *run)
 {
     static const num_u threshold[THRESHOLDS];
-    const struct simd_pixels pixels = {run->view, run->row, run->sphere, run->lamps, run->first, threshold, NULL};
+    const struct simd_pixels pixels = {run->view, run->row, run->sphere, NULL, run->first, threshold, NULL};
     quad depth = truth_depth((unsigned)run->view->height, run->view->scene->camera.fov);
-    struct seat seat;
+    struct matter m;
 
-    take_seat(&pixels, &seat);
+    take_matter(&pixels, &m);
     for (int x = run->first; x < run->end; x += 1 + (run->end - run->first) / 6)
-        try_pixel(&seat, depth, x);
+        try_pixel(&m, run->sphere, depth, x);
     if (run->end > run->first)
-        try_pixel(&seat, depth, run->end - 1); /* at the outline */
+        try_pixel(&m, run->sphere, depth, run->end - 1); /* at the outline */
 }
 
 TEST(pixels_in_doubles)

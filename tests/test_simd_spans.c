@@ -3,18 +3,19 @@
  * the processor. Instruction sets that the processor lacks are named.
  *
  *     test_simd_spans           as many scenes as seconds allow
- *     test_simd_spans N         N edge scenes and N/100 of the corpus, see tests/slow/simd */
+ *     test_simd_spans N         N edge scenes, N/100 of the corpus and N/50 crowds, see tests/slow/simd */
 #include <tia/simd.h>
 
 #include "common/corpus/corpus.h"
 #include "common/thread_pool.h"
+#include "crowd_scene.h"
 #include "edge_scene.h"
 #include "render/renderer.h"
 #include "simd_exact.h"
 
 static const struct tia_simd *simd;
 static const char *simd_name;
-static unsigned edge_scenes = 700, random_scenes = 6;
+static unsigned edge_scenes = 700, random_scenes = 6, crowds = 24;
 
 #define PIXELS 700 /* pixels of a picture that are compared with exact ones */
 
@@ -145,6 +146,52 @@ TEST(edge_scenes_of_any_magnitude)
     }
 }
 
+/* Compares a scene byte by byte with plain C's picture; and, for the first instruction set, some pixels with the exact
+ * ones. */
+static void compare_crowd(unsigned number, const struct tia_scene *scene, unsigned width, unsigned height, bool dither)
+{
+    struct simd_frames f;
+    unsigned where[2] = {0, 0}, step = width * height / 16 | 1;
+
+    CHECK_MSG(simd_frames_open(&f, simd, scene, width, height), "crowd %u", number);
+    CHECK(strcmp(tia_view_simd(f.simd), simd_name) == 0);
+    CHECK_MSG(simd_frames_differ(&f, true, dither) == 0, "%s crowd %u: %s", simd_name, number, simd_frames_where(&f));
+    unsigned differ = first_set ? simd_exact_differ(&f, dither, number, step, where) : 0;
+    CHECK_MSG(differ == 0, "%s crowd %u: %u pixels, (%u, %u)", simd_name, number, differ, where[0], where[1]);
+    simd_frames_close(&f);
+}
+
+TEST(crowds_of_spheres_and_lights)
+{
+    static struct crowd_scene c;
+
+    for (unsigned i = 0; i < crowds; i++) {
+        crowd_make(&c, i);
+        compare_crowd(i, &c.scene, c.width, c.height, c.dither);
+    }
+}
+
+/* Shadows of opaque balls in the coloured shadow of a large one. */
+TEST(shadows_in_coloured_light)
+{
+    static struct crowd_scene c;
+
+    crowd_make(&c, 1);
+    c.materials[0] = (struct tia_material){.colour = {TIA_Q30(.9), TIA_Q30(.8), TIA_Q30(.7)}};
+    c.materials[1] = c.materials[0];
+    c.materials[1].transmission = (struct tia_rgb){TIA_Q30(.5), TIA_Q30(.8), TIA_Q30(.3)};
+    c.spheres[0] = (struct tia_sphere){{0, TIA_Q16(-1003), TIA_Q16(-14)}, TIA_Q16(1000), 0};
+    c.spheres[1] = (struct tia_sphere){{0, TIA_Q16(3), TIA_Q16(-14)}, TIA_Q16(2.5), 1};
+    for (int i = 0; i < 6; i++)
+        c.spheres[2 + i] = (struct tia_sphere){{TIA_Q16(i - 2.5), TIA_Q16(-1.5), TIA_Q16(-14 + i % 3)}, TIA_Q16(.3), 0};
+    for (int i = 0; i < 10; i++)
+        c.lights[i] = (struct tia_light){.centre = {TIA_Q16(.1 * i), TIA_Q16(12), TIA_Q16(-14 + .2 * i)},
+                                         .emission = {TIA_Q30(.1), TIA_Q30(.1), TIA_Q30(.1)}};
+    c.scene.sphere_count = 8;
+    c.scene.light_count = 10;
+    compare_crowd(0, &c.scene, 320, 240, false);
+}
+
 /* Tiles have odd sizes, and each is drawn through a surface that is rotated by a quarter, as the whole picture is. */
 TEST(tiles_and_turned_surfaces)
 {
@@ -259,6 +306,8 @@ static void run_all(const struct tia_simd *tested, const char *name)
     RUN_SIMD(large_pictures);
     RUN_SIMD(random_corpus);
     RUN_SIMD(edge_scenes_of_any_magnitude);
+    RUN_SIMD(crowds_of_spheres_and_lights);
+    RUN_SIMD(shadows_in_coloured_light);
     RUN_SIMD(tiles_and_turned_surfaces);
     RUN_SIMD(objects_and_path_hashes);
     RUN_SIMD(threads);
@@ -283,6 +332,7 @@ int main(int argc, char **argv)
     if (argc > 1 && !check_is_word(argv[1])) {
         edge_scenes = (unsigned)check_number(argc, argv, 1, 0);
         random_scenes = edge_scenes / 100;
+        crowds = edge_scenes / 50;
     }
     RUN(names_of_levels);
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {

@@ -104,26 +104,26 @@ static void try_colour(double x)
     o = (struct value){.s = f_of(cosine), .vv = f_set(1)}; /* |w|^2 is 1 */
     F sum[3] = {f_of(own), f_of(own), f_of(own)};
     (void)add_light(&q, f_of(x), &o, sum, 1, 0);
-    real whole = fminl(1, own + (real)(float)cosine * colour);
-    use(&steps[COLOUR], sum[0][0] - whole, BOUND(SPAN_COLOUR) * U);
+    real whole = fminl(1, (float)own + (real)(float)cosine * colour);
+    use(&steps[COLOUR], sum[0][0] - whole,
+        BOUND(SPAN_COLOUR) * U * (real)cosine * colour + BOUND(SPAN_COLOUR_SUM) * U * whole);
 }
 
 static void try_line(void)
 {
-    static struct cells cells;
-    struct simd_light q = {.colour_most = 1};
-    struct gained gained = {0};
+    static struct lines lines;
+    const float colour[3] = {1, 1, 1};
     double start = random_double(), end = random_double(), middle = random_double();
     F tint[3] = {f_set(1), f_set(1), f_set(1)};
 
-    cells.lambert[0][0] = (float)start;
-    cells.lambert[0][1] = (float)end;
-    add_range(&cells, 0, 0, f_of(middle), tint, &q, 1, &gained);
+    lines.lambert[0] = (float)start;
+    lines.lambert[1] = (float)end;
+    store_lines(&lines, 0, f_of(middle), tint, colour, 1);
     real s = (float)start, e = (float)end, m = (float)middle;
     for (int i = -HALF_CELL; i < HALF_CELL; i++) {
         F at = f_set((float)i);
-        F line = f_fma(at, f_set(cells.turn_of[0][0]), f_set(cells.middle[0][0]));
-        F got = f_fma(f_abs(at), f_set(cells.bend_of[0][0]), line);
+        F line = f_fma(at, f_set(lines.turn_of[0]), f_set(lines.middle[0]));
+        F got = f_fma(f_abs(at), f_set(lines.bend_of[0]), line);
         real t = (real)i / HALF_CELL, exact = m + t * (e - s) / 2 + fabsl(t) * ((s - m) + (e - m)) / 2;
         use(&steps[LINE], got[0] - exact, BOUND(SPAN_LINE) * U);
     }

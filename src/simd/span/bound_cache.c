@@ -10,19 +10,17 @@
 #define WIDER (1 + BOUND(SPAN_KEPT))
 
 enum { B_MOST, B_LEAST, SIZE, LEAST, SQUARE_MOST, SQUARE_LEAST, V_MOST, FORMS };
-#define FORMS_MOST (FORMS + SIMD_LIGHTS * (2 + 2 * SIMD_CASTS))
+#define FORMS_MOST (2 * SIMD_LIGHTS + 2 * SIMD_CASTS)
 
 static double size_of(const double form[2], const struct simd_place *place)
 {
     return fabs(form[0]) + fabs(form[1]) * place->reach;
 }
 
-/* Gives a run's limits in the order of the enumeration, then the sizes of its forms. Returns the number of limits,
- * sizes included. */
-static int limits_of(const struct simd_fine *fine, double limit[FORMS_MOST])
+/* Gives the limits of a run's place and sphere in the order of the enumeration. */
+static void limits_of(const struct simd_fine *fine, double limit[FORMS])
 {
     const struct simd_place *place = &fine->place;
-    int n = FORMS;
 
     limit[B_MOST] = fine->seen.b_most;
     limit[B_LEAST] = -fine->seen.b_least;
@@ -31,13 +29,22 @@ static int limits_of(const struct simd_fine *fine, double limit[FORMS_MOST])
     limit[SQUARE_MOST] = place->square_most;
     limit[SQUARE_LEAST] = -place->square_least;
     limit[V_MOST] = place->v_most;
+}
+
+/* Gives the sizes of the forms of a run's lights. Returns their number. */
+static int sizes_of(const struct simd_fine *fine, double size[FORMS_MOST])
+{
+    const struct simd_place *place = &fine->place;
+    int n = 0;
+
     for (int l = 0; l < fine->lights; l++) {
         const struct simd_fine_light *light = &fine->light[l];
-        limit[n++] = size_of(light->g, place);
-        limit[n++] = size_of(light->q, place);
+        size[n++] = size_of(light->g, place);
+        size[n++] = size_of(light->q, place);
         for (int j = 0; j < light->lamp->casts; j++) {
-            limit[n++] = size_of(light->cast[j].a + 1, place);
-            limit[n++] = size_of(light->cast[j].k + 1, place);
+            const struct simd_fine_cast *cast = &fine->cast[light->first + j];
+            size[n++] = size_of(cast->a + 1, place);
+            size[n++] = size_of(cast->k + 1, place);
         }
     }
     return n;
@@ -55,51 +62,74 @@ static void take_limits(const double limit[], struct simd_place *place, struct s
     place->v_most = limit[V_MOST];
 }
 
-/* Bounds one light; `limit` points to the sizes of its forms. Returns a pointer to the sizes of the next light's forms,
+/* Bounds one light; `size` points to the sizes of its forms. Returns a pointer to the sizes of the next light's forms,
  * or NULL if the bounds are too large. */
 static const double *light_bounds(struct simd_fine *fine, struct simd_fine_light *light, const struct simd_place *place,
-                                  const double *limit)
+                                  const double *size)
 {
     const struct simd_lamp *lamp = light->lamp;
 
-    tia_simd_bound_light(lamp, place, &fine->depth, SIMD_FLOAT, limit[0], limit[1], &light->bounds);
+    tia_simd_bound_light(lamp, place, &fine->depth, SIMD_FLOAT, size[0], size[1], &light->bounds);
     if (!(light->bounds.lambert < BOUND(SPAN_COSINE_KNOWN)))
         return NULL;
-    limit += 2;
-    for (int j = 0; j < lamp->casts; j++, limit += 2) {
-        struct simd_fine_cast *cast = &light->cast[j];
-        tia_simd_bound_cast(lamp, &lamp->cast[j], place, &fine->depth, &light->bounds, SIMD_FLOAT, limit[0], limit[1],
-                            &cast->bounds);
-    }
-    return limit;
+    size += 2;
+    for (int j = 0; j < lamp->casts; j++, size += 2)
+        tia_simd_bound_cast(lamp, &lamp->cast[j], place, &fine->depth, &light->bounds, SIMD_FLOAT, size[0], size[1],
+                            &fine->cast[light->first + j].bounds);
+    return size;
 }
 
-static bool derive(struct simd_fine *fine, const double *limit)
+/* Bounds the lights for a place, and adds the errors of their colours to `off`. */
+static bool derive_lights(struct simd_fine *fine, const struct simd_place *place, const double *size, double off[3])
 {
-    double off[3] = {0, 0, 0}, step = BOUND(SPAN_COLOUR) * SIMD_FLOAT;
-    struct simd_place place = fine->place;
-    struct simd_seen seen = fine->seen;
-
-    take_limits(limit, &place, &seen);
-    tia_simd_depth(fine->row, &place, simd_sphere_of(fine), &seen, SIMD_FLOAT, SIMD_FLOAT_CUT, &fine->depth);
-    if (!(seen.b_least > 0 && fine->depth.es + fine->depth.et < BOUND(SPAN_KNOWN)))
-        return false;
-    limit += FORMS;
-    for (int l = 0; l < fine->lights; l++) {
+    for (int l = 0; l < fine->lights && size; l++) {
         struct simd_fine_light *light = &fine->light[l];
-        limit = light_bounds(fine, light, &place, limit);
-        if (!limit)
-            return false;
-        for (int c = 0; c < 3; c++)
-            off[c] += BOUND_OF(SPAN_COLOURS,
-                               light->lamp->colour[c] * (light->bounds.lambert + BOUND(SPAN_LINE) * SIMD_FLOAT) +
-                                   step * (1 + light->lamp->casts));
+        double rounded = BOUND(SPAN_LINE) + BOUND(SPAN_COLOUR) * (1 + light->lamp->casts);
+        size = light_bounds(fine, light, place, size);
+        for (int c = 0; size && c < 3; c++)
+            off[c] += BOUND_OF(SPAN_COLOURS, light->lamp->colour[c] * (light->bounds.lambert + rounded * SIMD_FLOAT) +
+                                                 BOUND(SPAN_COLOUR_SUM) * SIMD_FLOAT);
     }
+    return size != NULL;
+}
+
+bool tia_simd_fine_levels(struct simd_fine *fine, const double off[3])
+{
     double side = off[0] > off[2] ? off[0] : off[2], green = fine->grey ? off[0] : off[1];
 
     fine->near31 = tia_simd_bound_level(31, side, SIMD_FLOAT);
     fine->near63 = tia_simd_bound_level(63, green, SIMD_FLOAT);
     return fine->near31 > BOUND(SPAN_LEVEL_LEAST) && fine->near63 > BOUND(SPAN_LEVEL_LEAST);
+}
+
+static bool derive_depth(struct simd_fine *fine, const struct simd_place *place, const struct simd_seen *seen)
+{
+    tia_simd_depth(fine->row, place, simd_sphere_of(fine), seen, SIMD_FLOAT, SIMD_FLOAT_CUT, &fine->depth);
+    return seen->b_least > 0 && fine->depth.es + fine->depth.et < BOUND(SPAN_KNOWN);
+}
+
+bool tia_simd_fine_depth(struct simd_fine *fine)
+{
+    return derive_depth(fine, &fine->place, &fine->seen);
+}
+
+bool tia_simd_fine_lights(struct simd_fine *fine, double off[3])
+{
+    double size[FORMS_MOST];
+
+    (void)sizes_of(fine, size);
+    return derive_lights(fine, &fine->place, size, off);
+}
+
+static bool derive(struct simd_fine *fine, const double *limit)
+{
+    double off[3] = {0, 0, 0};
+    struct simd_place place = fine->place;
+    struct simd_seen seen = fine->seen;
+
+    take_limits(limit, &place, &seen);
+    return derive_depth(fine, &place, &seen) && derive_lights(fine, &place, limit + FORMS, off) &&
+           tia_simd_fine_levels(fine, off);
 }
 
 /* ---- the cache ---- */
@@ -123,7 +153,7 @@ static void keep(const struct simd_fine *fine, struct simd_bound_cache *cache)
     for (int l = 0; l < fine->lights; l++) {
         cache->light[l] = fine->light[l].bounds;
         for (int j = 0; j < fine->light[l].lamp->casts; j++)
-            cache->cast[n++] = fine->light[l].cast[j].bounds;
+            cache->cast[n++] = fine->cast[fine->light[l].first + j].bounds;
     }
 }
 
@@ -137,7 +167,7 @@ static void take_cached(const struct simd_bound_cache *cache, struct simd_fine *
     for (int l = 0; l < fine->lights; l++) {
         fine->light[l].bounds = cache->light[l];
         for (int j = 0; j < fine->light[l].lamp->casts; j++)
-            fine->light[l].cast[j].bounds = cache->cast[n++];
+            fine->cast[fine->light[l].first + j].bounds = cache->cast[n++];
     }
 }
 
@@ -145,9 +175,10 @@ static void take_cached(const struct simd_bound_cache *cache, struct simd_fine *
  * not cached. */
 bool tia_simd_fine_bounds(struct simd_fine *fine, struct simd_bound_cache *cache)
 {
-    double limit[FORMS_MOST];
-    int limits = limits_of(fine, limit);
+    double limit[FORMS + FORMS_MOST];
+    int limits = FORMS + sizes_of(fine, limit + FORMS);
 
+    limits_of(fine, limit);
     if (!cache || limits > SIMD_LIMITS)
         return derive(fine, limit);
     if (suffices(cache, fine->sphere, limit, limits)) {

@@ -23,6 +23,12 @@ struct simd_bound_cache {
  * run if none of that run's widened limits is smaller. */
 bool tia_simd_fine_bounds(struct simd_fine *fine, struct simd_bound_cache *cache);
 
+/* The same in parts, for lights that are added one by one, without a cache: the depth; the lights of `fine`, whose
+ * colours' errors are added to `off`; the levels for these errors. Each returns false when bounds are too large. */
+bool tia_simd_fine_depth(struct simd_fine *fine);
+bool tia_simd_fine_lights(struct simd_fine *fine, double off[3]);
+bool tia_simd_fine_levels(struct simd_fine *fine, const double off[3]);
+
 /* Number of caches: one for each half of the picture, for four spheres. */
 #define SIMD_CACHES 8
 

@@ -1,137 +1,133 @@
 #include "crowd.h"
 
+#include <math.h>
 #include <string.h>
 
+#include "bound_table.h"
 #include "render/span/coherence/coherence.h"
 #include "render/span/span_parts.h"
 
 bool tia_simd_is_crowded(const struct tia_view *view, uint32_t sphere)
 {
-    bool crowded = false;
+    bool crowded = view->light_count > SIMD_LIGHTS;
 
-    for (uint32_t l = 0; l < view->light_count && !crowded; l++)
-        crowded = simd_lamp_of(view, sphere, l)->plain;
+    for (uint32_t l = 0; l < view->light_count && !crowded; l++) {
+        const struct simd_lamp *lamp = simd_lamp_of(view, sphere, l);
+        crowded = lamp->plain || lamp->casts > SIMD_CASTS_FEW;
+    }
     return crowded;
-}
-
-/* Computes the distances of three pixels, counted from the span's first one. */
-static void measure(const struct tia_view *view, struct simd_crowd *crowd, int first, int last)
-{
-    const struct shaded_span *span = &crowd->span;
-    const int at[3] = {first, first + (last - first) / 2, last};
-
-    for (int i = 0; i < 3; i++)
-        span_distances(span_view_of(view), span->object, span->y, span->x + at[i], 1, &crowd->t[at[i]]);
 }
 
 void tia_simd_crowd(const struct tia_view *view, uint32_t sphere, int y, int first, int end, struct simd_crowd *crowd)
 {
+    const int last = end - first - 1, at[3] = {0, last / 2, last};
+
     crowd->span = (struct shaded_span){sphere, first, y, end - first, crowd->t, NULL, NULL};
     crowd->shadows.tried = crowd->shadows.divided = false;
-    measure(view, crowd, 0, end - first - 1);
-    for (uint32_t l = 0; l < view->light_count; l++) {
-        crowd->some[l] = coherence_near(span_view_of(view), &crowd->span, l, &crowd->shadows);
-        if (crowd->some[l])
-            memcpy(crowd->near[l], crowd->shadows.near, sizeof crowd->near[l]);
-    }
+    for (int i = 0; i < 3; i++)
+        span_distances(span_view_of(view), sphere, y, first + at[i], 1, &crowd->t[at[i]]);
+    (void)coherence_around(span_view_of(view), &crowd->span, &crowd->shadows);
+    memset(crowd->known, SIMD_UNKNOWN, sizeof crowd->known);
 }
 
-/* Some pixels of a sphere, and a ball around their points. */
-struct piece {
-    const struct tia_view *view;
-    uint32_t sphere;
-    bool known; /* there is a ball */
-    bool whole; /* all of the span, whose near casters are already those of the ball */
-    struct coarse_ball ball;
-};
+/* ---- lists ---- */
 
-/* Returns what sphere j does to a light at the points of a piece. */
-static enum span_part part_of(const struct piece *piece, uint32_t light, const struct span_hull *hull, uint32_t j)
+/* True if no point of the sphere L in the span's ball, around p, faces the light: with G = Q - L and P = L + r N,
+ *
+ *     r N.(Q - P) = (P - L).G - r^2. */
+static bool is_away(const struct tia_view *view, const struct simd_crowd *crowd, const struct simd_lamp *lamp)
 {
-    const struct span_view *spans = span_view_of(piece->view);
+    const struct span_sphere *sphere = &span_view_of(view)->spheres[crowd->span.object];
+    const struct coarse_ball *ball = &crowd->shadows.around;
 
-    if (!piece->known)
-        return SPAN_OPEN;
-    if (!piece->whole && span_hull_clears(hull, &spans->casters.coarse[j]))
-        return SPAN_LIT;
-    enum span_part part = span_part_of(&spans->casters, &piece->ball, light, j);
-    return spans->tinted && part == SPAN_DARK ? SPAN_OPEN : part;
+    if (!crowd->shadows.known)
+        return false;
+    const struct num_vec p = {4 * (num_wide)ball->x, 4 * (num_wide)ball->y, 4 * (num_wide)ball->z};
+    struct num_vec d = num_vec_sub(p, sphere->centre);
+    double x = (double)d.x * 0x1p-16, y = (double)d.y * 0x1p-16, z = (double)d.z * 0x1p-16;
+    double toward = (x * (double)lamp->g.x + y * (double)lamp->g.y + z * (double)lamp->g.z) * 0x1p-16;
+    double reach = (double)(4 * (num_wide)ball->radius) * 0x1p-16 * lamp->reach, r = (double)sphere->radius * 0x1p-16;
+    double size = (fabs(x) + fabs(y) + fabs(z)) * lamp->reach + reach + r * r;
+
+    return toward + reach < r * r - BOUND_OF(SPAN_AWAY, BOUND(SPAN_PARTS) * size);
 }
 
-/* Adds a caster to a lamp: one of those of the sphere's lamp `from`, unless that has too many. */
-static void add_caster(const struct piece *piece, const struct simd_lamp *from, uint32_t j, struct simd_lamp *lamp)
+/* Removes the shades of a lamp, whose colour has their transmissions. */
+static void remove_shades(const struct tia_view *view, uint32_t sphere, const struct simd_lamp *lamp,
+                          uint8_t list[SIMD_LIST])
 {
-    if (from->plain) {
-        tia_simd_add_caster(piece->view, piece->sphere, j, lamp);
-        return;
-    }
-    for (int i = 0; i < from->casts; i++)
-        if (from->cast[i].sphere == j)
-            lamp->cast[lamp->casts++] = from->cast[i];
+    for (uint32_t j = 0; lamp->shades && j < view->scene->sphere_count; j++)
+        if (list[j >> 3] >> (j & 7) & 1 && tia_simd_is_shade(view, sphere, j, lamp))
+            list[j >> 3] = (uint8_t)(list[j >> 3] & ~(1u << (j & 7)));
 }
 
-/* Finds the casters among `near` that may block a light at some points of a piece and not at others: up to SIMD_CASTS
- * of them. Returns their number, which may be larger; -1 if one blocks it at all points. */
-static int find_casters(const struct piece *piece, uint32_t light, const uint8_t *near, uint32_t found[SIMD_CASTS])
-{
-    const struct span_casters *casters = &span_view_of(piece->view)->casters;
-    struct span_hull hull;
-    int count = 0;
+/* Pixels whose ball is so small that it is worth while to try each sphere on it, but not to look for spheres among
+ * those that are kept. */
+#define SHORT 64
 
-    if (piece->known && !piece->whole)
-        span_hull_of(&piece->ball, &casters->coarse[casters->count + light], &hull);
-    for (uint32_t i = 0; i < (casters->count + 7) / 8; i++)
-        for (unsigned rest = near[i]; rest; rest &= rest - 1) {
-            uint32_t j = 8 * i + (uint32_t)__builtin_ctz(rest);
-            enum span_part part = part_of(piece, light, &hull, j);
-            if (part == SPAN_DARK)
-                return -1;
-            if (part == SPAN_OPEN && count < SIMD_CASTS)
-                found[count] = j;
-            count += part == SPAN_OPEN;
+/* Spheres of a scene whose lists take longer to look through than that. */
+#define MANY 64
+
+/* Removes the spheres that block the light nowhere; false if one blocks it everywhere. */
+static bool try_ball(const struct span_view *spans, const struct coarse_ball *ball, uint32_t light,
+                     uint8_t list[SIMD_LIST])
+{
+    for (uint32_t i = 0; i < (spans->casters.count + 7) / 8; i++)
+        for (unsigned rest = list[i]; rest; rest &= rest - 1) {
+            enum span_part part = span_part_of(&spans->casters, ball, light, 8 * i + (uint32_t)__builtin_ctz(rest));
+            if (part == SPAN_DARK && !spans->tinted)
+                return false;
+            if (part == SPAN_LIT)
+                list[i] = (uint8_t)(list[i] & ~(rest & -rest));
         }
-    return count;
+    return true;
 }
 
-/* Gives the lamp of a light with its casters in a piece, which are among `near`; NULL: there are none. */
-static void find_lamp(const struct piece *piece, uint32_t light, const uint8_t *near,
-                      struct simd_caster cast[SIMD_CASTS], struct simd_lamp *lamp)
+/* Makes a light's list; false if the light reaches no pixel. */
+static bool make_list(const struct tia_view *view, struct simd_crowd *crowd, uint32_t light, uint8_t list[SIMD_LIST])
 {
-    const struct simd_lamp *from = simd_lamp_of(piece->view, piece->sphere, light);
-    uint32_t found[SIMD_CASTS];
-    int count = near ? find_casters(piece, light, near, found) : 0;
+    const struct span_view *spans = span_view_of(view);
+    const struct shaded_span *span = &crowd->span;
+    const struct simd_lamp *lamp = simd_lamp_of(view, span->object, light);
+    const struct coarse_ball *ball = &crowd->shadows.around;
 
-    *lamp = *from;
-    lamp->cast = cast;
-    lamp->room = SIMD_CASTS;
-    lamp->casts = 0;
-    lamp->shades = from->plain ? 0 : from->shades;
-    lamp->plain = count > SIMD_CASTS;
-    if (count < 0)
-        lamp->colour[0] = lamp->colour[1] = lamp->colour[2] = 0;
-    for (int i = 0; i < count && !lamp->plain && !simd_is_black(lamp->colour); i++)
-        add_caster(piece, from, found[i], lamp);
-    if (simd_is_black(lamp->colour))
-        lamp->casts = 0;
+    memset(list, 0, SIMD_LIST);
+    if (!coherence_near(spans, span, light, &crowd->shadows))
+        return true;
+    memcpy(list, crowd->shadows.near, (spans->casters.count + 7) / 8);
+    remove_shades(view, span->object, lamp, list);
+    return !crowd->shadows.known || span->count > SHORT || try_ball(spans, ball, light, list);
 }
 
-bool tia_simd_crowd_lamps(const struct tia_view *view, struct simd_crowd *crowd, int first, int end)
+const uint8_t *tia_simd_crowd_list(const struct tia_view *view, struct simd_crowd *crowd, uint32_t light)
 {
-    int from = first - crowd->span.x, last = end - 1 - crowd->span.x;
-    struct piece piece = {.view = view, .sphere = crowd->span.object};
-    bool fits = true;
+    if (light >= SIMD_CROWD_LISTS)
+        return make_list(view, crowd, light, crowd->last) ? crowd->last : NULL;
+    if (crowd->known[light] == SIMD_UNKNOWN)
+        crowd->known[light] = make_list(view, crowd, light, crowd->list[light]) ? SIMD_SOME : SIMD_NONE;
+    return crowd->known[light] == SIMD_SOME ? crowd->list[light] : NULL;
+}
 
-    piece.whole = last - from == crowd->span.count - 1;
-    if (piece.whole) {
-        piece.known = crowd->shadows.known;
-        piece.ball = crowd->shadows.around;
-    } else {
-        measure(view, crowd, from, last);
-        piece.known = coherence_surround(span_view_of(view), &crowd->span, from, last, &piece.ball);
-    }
-    for (uint32_t l = 0; l < view->light_count && fits; l++) {
-        find_lamp(&piece, l, crowd->some[l] ? crowd->near[l] : NULL, crowd->cast[l], &crowd->lamp[l]);
-        fits = !crowd->lamp[l].plain;
-    }
-    return fits;
+const struct simd_lamp *tia_simd_crowd_lamp(const struct tia_view *view, struct simd_crowd *crowd, uint32_t light)
+{
+    uint32_t sphere = crowd->span.object;
+    const struct simd_lamp *from = simd_lamp_of(view, sphere, light);
+
+    if (simd_is_black(from->colour) || is_away(view, crowd, from))
+        return NULL;
+    if (!from->plain &&
+        (from->casts <= SIMD_CASTS_FEW || (crowd->span.count <= SHORT && view->scene->sphere_count >= MANY)))
+        return from;
+    const uint8_t *list = tia_simd_crowd_list(view, crowd, light);
+    if (!list)
+        return NULL;
+    crowd->lamp = *from;
+    crowd->lamp.plain = false;
+    crowd->lamp.cast = crowd->cast;
+    crowd->lamp.casts = 0;
+    for (uint32_t i = 0; i < (view->scene->sphere_count + 7) / 8; i++)
+        for (unsigned rest = list[i]; rest; rest &= rest - 1)
+            tia_simd_caster(view, sphere, 8 * i + (uint32_t)__builtin_ctz(rest), from,
+                            &crowd->cast[crowd->lamp.casts++]);
+    return &crowd->lamp;
 }

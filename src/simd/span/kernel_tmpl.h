@@ -143,7 +143,10 @@ INLINE M is_decided(const struct shades *shades)
     return m_or(shades->blocked, m_not(shades->open));
 }
 
-INLINE M add_light(const struct simd_light *q, F x, const struct value *o, F sum[3], int channels, int casts)
+/* Adds a light with the given colour to the sums. The casters are the first `casts` of it, or those whose `casts`
+ * numbers are in `which`. Returns the pixels where all is decided. */
+INLINE M add_light_by(const struct simd_light *q, F x, const struct value *o, const float colour[3],
+                      const uint8_t *which, int casts, F sum[3], int channels)
 {
     const F one = f_set(1), zero = f_set(0);
     F square = square_of(q, x, o), lambert = f_min(one, f_max(zero, lambert_of(q, x, o, square)));
@@ -152,16 +155,22 @@ INLINE M add_light(const struct simd_light *q, F x, const struct value *o, F sum
     struct shades shades = {none, none};
 
     for (int j = 0; j < casts && m_any(m_and(facing, m_not(shades.blocked))); j++) {
-        struct toward t = toward_caster(&q->cast[j], x, o);
-        struct verdict v = judge(&q->cast[j], &t, square, zero, zero);
-        shade_by(&q->cast[j], v, &shades);
-        tint_by(&q->cast[j], v.dark, tint, channels);
+        const struct simd_cast *cast = &q->cast[which ? which[j] : j];
+        struct toward t = toward_caster(cast, x, o);
+        struct verdict v = judge(cast, &t, square, zero, zero);
+        shade_by(cast, v, &shades);
+        tint_by(cast, v.dark, tint, channels);
     }
     if (casts)
         good = m_and(good, m_or(m_not(facing), is_decided(&shades)));
     for (int c = 0; c < channels; c++)
-        sum[c] = f_min(one, f_fma(casts ? f_mul(lambert, tint[c]) : lambert, f_set(q->colour[c]), sum[c]));
+        sum[c] = f_min(one, f_fma(casts ? f_mul(lambert, tint[c]) : lambert, f_set(colour[c]), sum[c]));
     return good;
+}
+
+INLINE M add_light(const struct simd_light *q, F x, const struct value *o, F sum[3], int channels, int casts)
+{
+    return add_light_by(q, x, o, q->colour, NULL, casts, sum, channels);
 }
 
 INLINE struct levels levels_at(const struct simd_run *r, const struct body *k, F x, F half, bool grey, int lights,
@@ -256,9 +265,9 @@ INLINE int draw_block(const struct simd_run *r, const struct body *k, int start,
     const F half[2] = {f_load(r->threshold), f_load(r->threshold + (N & 7))};
     int count = (size - 1) / SIMD_CELL, n = open;
 
-    cells->start = start;
-    cells->x0 = r->x0 + (float)start;
-    take_samples(r, k, count + 1, lights, cells);
+    cells->at.start = start;
+    cells->at.x0 = r->x0 + (float)start;
+    take_samples(r, k, count + 1, lights, &cells->at, cells->light);
     judge_cells(r, k, count, grey, lights, casts, cells);
     draw_flat(cells, out + start);
     for (uint64_t left = cells->good & ~cells->flat; left; left &= left - 1)
@@ -296,6 +305,8 @@ static int shade(const struct simd_run *r, uint16_t *out, uint16_t *list, void *
     return draw_run(r, out, list, cells, r->grey, r->lights, 2);
 }
 
+#include "total_tmpl.h"
+
 /* ---- the nearer of two spheres ---- */
 
 INLINE F per_t(const struct simd_body *b, F x, M *good)
@@ -332,6 +343,7 @@ static void fill(uint16_t *out, int count, uint16_t pixel)
 #define STREAM NULL, NULL
 #endif
 
-static const struct simd_kernels kernels = {shade, sizeof(struct cells), nearer, fill, STREAM};
+static const struct simd_kernels kernels = {
+    shade, sizeof(union working), total_start, total_add, total_finish, nearer, fill, STREAM};
 
 #endif

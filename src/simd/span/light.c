@@ -3,7 +3,6 @@
 #include "bound_cache.h"
 #include "crowd.h"
 #include "exact.h"
-#include "render/span/span_shade.h"
 #include "seen.h"
 #include "simd/simd.h"
 
@@ -19,11 +18,6 @@ bool tia_simd_draws(const struct tia_view *view)
 }
 
 /* ---- rows ---- */
-
-/* Pixels of a sphere with many casters that are drawn at once: at most, and at least if their casters are still too
- * many. */
-#define PIECE 64
-#define PIECE_LEAST 8
 
 /* Pixels of the background, or of a light that is seen directly; without dithering all are the same. */
 struct flat {
@@ -88,59 +82,71 @@ static size_t room(const struct tia_simd *simd)
     return simd_room(sizeof(struct carried), simd->kernels->cells);
 }
 
-/* Draws pixels first..end-1 in plain C, which finds few casters for each chunk. */
-static void light_plainly(const struct tia_view *view, int y, uint32_t sphere, int first, int end,
-                          const num_u threshold[THRESHOLDS], tia_rgb565 *out)
+/* Draws a run with all its lights at once. */
+static void light_run(const struct simd_pixels *pixels, int count, struct carried *carried)
 {
-    num_u t[CHUNK];
-
-    for (int x = first; x < end; x += CHUNK) {
-        const struct shaded_span span = {sphere, x, y, end - x < CHUNK ? end - x : CHUNK, t, NULL, NULL};
-        span_distances(span_view_of(view), sphere, y, x, span.count, t);
-        shade_span(view, &span, threshold, out + (x - first));
-    }
-}
-
-/* Draws pixels first..end-1 by the kernels, with the casters of the given lamps, which are the sphere's own or those of
- * the crowd, for these pixels alone. */
-static void light_part(const struct tia_view *view, const struct simd_row *row, uint32_t sphere,
-                       const struct simd_lamp *lamps, int first, int end, struct carried *carried, tia_rgb565 *out)
-{
-    const struct simd_pixels pixels = {view, row, sphere, lamps, first, carried->dither.threshold, out};
+    const struct tia_view *view = pixels->view;
     struct simd_fine *fine = &carried->fine;
+    int first = pixels->first;
 
-    if (!tia_simd_fine(view, row, sphere, lamps, first, end, fine) ||
-        !tia_simd_fine_bounds(fine, lamps == carried->crowd.lamp ? NULL : simd_cache_of(carried->caches, fine))) {
-        tia_simd_decide(&pixels, NULL, end - first);
+    if (!tia_simd_fine(view, pixels->row, pixels->sphere, simd_lamp_of(view, pixels->sphere, 0), first, first + count,
+                       fine) ||
+        !tia_simd_fine_bounds(fine, simd_cache_of(carried->caches, fine))) {
+        tia_simd_decide(pixels, NULL, count);
         return;
     }
     tia_simd_run(fine, &carried->dither, &carried->run);
-    int count =
-        view->simd->kernels->shade(&carried->run, out, carried->list, simd_kernels_room(carried, sizeof *carried));
-    tia_simd_decide(&pixels, carried->list, count);
+    int open = view->simd->kernels->shade(&carried->run, pixels->out, carried->list,
+                                          simd_kernels_room(carried, sizeof *carried));
+    tia_simd_decide(pixels, carried->list, open);
 }
 
-/* Draws pixels first..end-1 of a sphere with many casters in pieces, which have few. */
-static void light_pieces(const struct tia_view *view, const struct simd_row *row, int first, int end,
-                         struct carried *carried, tia_rgb565 *out)
+/* Adds the lights to a run, whose place is known; false when their bounds are too large. */
+static bool add_lights(const struct simd_pixels *pixels, struct carried *carried, struct simd_sums *sums)
 {
-    struct simd_crowd *crowd = &carried->crowd;
-    uint32_t sphere = crowd->span.object;
+    const struct tia_view *view = pixels->view;
+    struct simd_fine *fine = &carried->fine;
+    double off[3] = {0, 0, 0};
 
-    for (int x = first, next, most = PIECE; x < end; x = next) {
-        next = end - x < most ? end : x + most;
-        bool fits = tia_simd_crowd_lamps(view, crowd, x, next);
-        if (!fits && next - x > PIECE_LEAST) {
-            most = (next - x) / 2;
-            next = x;
+    for (uint32_t l = 0; l < view->light_count; l++) {
+        const struct simd_lamp *lamp = tia_simd_crowd_lamp(view, &carried->crowd, l);
+        if (!lamp)
             continue;
-        }
-        if (fits)
-            light_part(view, row, sphere, crowd->lamp, x, next, carried, out + (x - first));
-        else
-            light_plainly(view, row->y, sphere, x, next, carried->dither.threshold, out + (x - first));
-        most = 2 * most < PIECE ? 2 * most : PIECE;
+        fine->lights = fine->casts = 0;
+        tia_simd_fine_light(fine, lamp);
+        if (!tia_simd_fine_lights(fine, off))
+            return false;
+        tia_simd_run_lights(fine, &carried->run);
+        int open = view->simd->kernels->add(&carried->run, sums, carried->list);
+        tia_simd_decide_lamp(pixels, lamp, fine->light[0].bounds.lambert, carried->list, open, sums);
     }
+    return tia_simd_fine_levels(fine, off);
+}
+
+/* Draws a run of a crowd light by light, each with its casters near the run. */
+static void light_crowd(const struct simd_pixels *pixels, int count, struct carried *carried)
+{
+    const struct tia_view *view = pixels->view;
+    const struct simd_kernels *kernels = view->simd->kernels;
+    struct simd_fine *fine = &carried->fine;
+    struct simd_sums *sums = simd_kernels_room(carried, sizeof *carried);
+    int end = pixels->first + count;
+
+    tia_simd_crowd(view, pixels->sphere, pixels->row->y, pixels->first, end, &carried->crowd);
+    bool good =
+        tia_simd_fine_place(view, pixels->row, pixels->sphere, pixels->first, end, fine) && tia_simd_fine_depth(fine);
+    if (good) {
+        tia_simd_run_place(fine, &carried->dither, &carried->run);
+        kernels->start(&carried->run, sums);
+        good = add_lights(pixels, carried, sums);
+    }
+    if (!good) {
+        tia_simd_decide(pixels, NULL, count);
+        return;
+    }
+    tia_simd_run_levels(fine, &carried->dither, &carried->run);
+    int open = kernels->finish(&carried->run, sums, pixels->out, carried->list);
+    tia_simd_decide(pixels, carried->list, open);
 }
 
 static void light_span(const struct tia_view *view, const struct simd_row *row, const struct simd_span *span,
@@ -150,21 +156,21 @@ static void light_span(const struct tia_view *view, const struct simd_row *row, 
         light_flat(view, span, carried, out);
         return;
     }
-    if (view->light_count > SIMD_LIGHTS) {
-        light_plainly(view, row->y, span->object, span->first, span->end, carried->dither.threshold, out);
-        return;
-    }
     bool crowded = tia_simd_is_crowded(view, span->object);
-    int most = crowded ? SIMD_CROWD : SIMD_RUN;
+    int most = crowded ? SIMD_BLOCK : SIMD_RUN;
     for (int x = span->first, end; x < span->end; x = end) {
         end = span->end - x < most ? span->end : x + most;
-        if (crowded) {
-            tia_simd_crowd(view, span->object, row->y, x, end, &carried->crowd);
-            light_pieces(view, row, x, end, carried, out + (x - span->first));
-        } else {
-            light_part(view, row, span->object, simd_lamp_of(view, span->object, 0), x, end, carried,
-                       out + (x - span->first));
-        }
+        const struct simd_pixels pixels = {view,
+                                           row,
+                                           span->object,
+                                           crowded ? &carried->crowd : NULL,
+                                           x,
+                                           carried->dither.threshold,
+                                           out + (x - span->first)};
+        if (crowded)
+            light_crowd(&pixels, end - x, carried);
+        else
+            light_run(&pixels, end - x, carried);
     }
 }
 

@@ -22,13 +22,6 @@ size_t tia_simd_pairs_size(const struct tia_scene *scene, uint32_t light_capacit
     return pairs > SIZE_MAX / 2 / each ? SIZE_MAX : (size_t)pairs * each;
 }
 
-static void channels(const struct tia_rgb *colour, double out[3])
-{
-    out[0] = (double)colour->r * 0x1p-30;
-    out[1] = (double)colour->g * 0x1p-30;
-    out[2] = (double)colour->b * 0x1p-30;
-}
-
 static double dot(struct num_vec a, struct num_vec b)
 {
     return ((double)a.x * (double)b.x + (double)a.y * (double)b.y + (double)a.z * (double)b.z) * 0x1p-32;
@@ -71,48 +64,43 @@ bool tia_simd_encloses(const struct span_sphere *caster, struct num_vec light)
     return wide_sign(wide_difference(wide_dot(from, from), wide_product(caster->radius, caster->radius))) <= 0;
 }
 
-/* True if the caster is between the light and all points of the sphere L: each shadow ray ends in the caster, as |C -
- * Q| + bias < R, and begins outside of it, as |C - L| > R + r + bias. `apart` is |C - Q|. */
-static bool is_shade(const struct span_sphere *sphere, const struct span_sphere *caster, double apart)
+/* Returns the square of the distance of two points. */
+static double square_between(struct num_vec a, struct num_vec b)
 {
-    double r = (double)sphere->radius * 0x1p-16, radius = (double)caster->radius * 0x1p-16, in = apart + SIMD_BIAS;
+    struct num_vec d = num_vec_sub(a, b);
 
-    if (in >= radius)
+    return dot(d, d);
+}
+
+/* The caster is between the light and all points of the sphere L: each shadow ray ends in the caster, as |C - Q| + bias
+ * < R, and begins outside of it, as |C - L| > R + r + bias. */
+bool tia_simd_is_shade(const struct tia_view *view, uint32_t n, uint32_t j, const struct simd_lamp *lamp)
+{
+    const struct span_sphere *sphere = &span_view_of(view)->spheres[n], *caster = &span_view_of(view)->spheres[j];
+    double r = (double)sphere->radius * 0x1p-16, radius = (double)caster->radius * 0x1p-16;
+
+    if (square_between(caster->centre, lamp->light) >= radius * radius)
         return false;
+    double in = length(num_vec_sub(caster->centre, lamp->light)) + SIMD_BIAS;
     double out = length(num_vec_sub(caster->centre, sphere->centre)) - SIMD_BIAS;
     double off = BOUND_OF(SPAN_SHADE, BOUND(SPAN_PARTS) * (out + radius + r));
     return in < radius - off && out > radius + r + off;
 }
 
-void tia_simd_add_caster(const struct tia_view *view, uint32_t n, uint32_t j, struct simd_lamp *lamp)
+void tia_simd_caster(const struct tia_view *view, uint32_t n, uint32_t j, const struct simd_lamp *lamp,
+                     struct simd_caster *cast)
 {
     const struct span_sphere *sphere = &span_view_of(view)->spheres[n], *caster = &span_view_of(view)->spheres[j];
     const struct tia_rgb *through = &view->scene->materials[view->scene->spheres[j].material].transmission;
-    double apart = length(num_vec_sub(caster->centre, lamp->light));
 
-    if (is_shade(sphere, caster, apart)) {
-        double left[3];
-        channels(through, left);
-        for (int c = 0; c < 3; c++)
-            lamp->colour[c] *= left[c];
-        lamp->shades++;
-        return;
-    }
-    lamp->plain = lamp->casts == lamp->room;
-    if (lamp->plain)
-        return;
-    struct simd_caster *cast = &lamp->cast[lamp->casts++];
-
-    cast->sphere = j;
-    cast->sum = num_vec_add(caster->centre, lamp->light);
+    cast->sphere = (uint8_t)j;
     cast->size = length(caster->centre);
     cast->aq = (double)num_dot(caster->centre, lamp->light) * 0x1p-32 - lamp->swell * lamp->k;
     cast->radius = (double)caster->radius * 0x1p-16;
-    cast->apart = apart;
+    cast->apart = length(num_vec_sub(caster->centre, lamp->light));
     cast_power(sphere, lamp, caster, cast);
     cast->clear = !colour_is_black(through);
-    cast->encloses = apart < 2 * cast->radius && tia_simd_encloses(caster, lamp->light);
-    channels(through, cast->through);
+    cast->encloses = cast->apart < 2 * cast->radius && tia_simd_encloses(caster, lamp->light);
 }
 
 static void light_constants(const struct span_sphere *sphere, struct num_vec light, struct simd_lamp *lamp)
@@ -131,6 +119,24 @@ static void light_constants(const struct span_sphere *sphere, struct num_vec lig
     lamp->share = SIMD_BIAS / (r + SIMD_BIAS);
 }
 
+/* Adds a sphere to the casters or to the shades. One more caster than are kept makes the lamp `plain`. */
+static void add_caster(const struct tia_view *view, uint32_t n, uint32_t j, struct simd_lamp *lamp)
+{
+    const struct span_sphere *spheres = span_view_of(view)->spheres;
+
+    if (tia_simd_is_shade(view, n, j, lamp)) {
+        double left[3];
+        simd_channels(&view->scene->materials[view->scene->spheres[j].material].transmission, left);
+        for (int c = 0; c < 3; c++)
+            lamp->colour[c] *= left[c];
+        lamp->shades++;
+    } else if (!lamp->plain && !is_behind(&spheres[n], lamp, &spheres[j])) {
+        lamp->plain = lamp->casts == SIMD_CASTS_KEPT;
+        if (!lamp->plain)
+            tia_simd_caster(view, n, j, lamp, &lamp->cast[lamp->casts++]);
+    }
+}
+
 static void prepare_lamp(const struct tia_view *view, uint32_t n, uint32_t l, struct simd_lamp *lamp)
 {
     const struct span_sphere *sphere = &span_view_of(view)->spheres[n];
@@ -142,20 +148,17 @@ static void prepare_lamp(const struct tia_view *view, uint32_t n, uint32_t l, st
     if (lamp->plain)
         return;
     light_constants(sphere, num_vec_between(view->scene->camera.eye, view->lights[l].centre), lamp);
-    channels(&view->scene->materials[view->scene->spheres[n].material].colour, colour);
-    channels(&view->lights[l].emission, emission);
+    simd_channels(&view->scene->materials[view->scene->spheres[n].material].colour, colour);
+    simd_channels(&view->lights[l].emission, emission);
     for (int c = 0; c < 3; c++)
-        lamp->colour[c] = colour[c] *= emission[c];
+        lamp->colour[c] = colour[c] * emission[c];
     for (uint32_t j = span_next_caster(&lit, l, 0); j < view->scene->sphere_count && !simd_is_black(lamp->colour);
          j = span_next_caster(&lit, l, j + 1))
-        if (!lamp->plain && !is_behind(sphere, lamp, &span_view_of(view)->spheres[j]))
-            tia_simd_add_caster(view, n, j, lamp);
+        add_caster(view, n, j, lamp);
     if (simd_is_black(lamp->colour)) {
         lamp->casts = 0;
         lamp->plain = false;
     }
-    for (int c = 0; lamp->plain && c < 3; c++)
-        lamp->colour[c] = colour[c];
 }
 
 void tia_simd_prepare(struct tia_view *view)
@@ -168,7 +171,6 @@ void tia_simd_prepare(struct tia_view *view)
         for (uint32_t l = 0; l < view->light_count; l++) {
             size_t i = (size_t)n * view->light_capacity + l;
             lamps[i].cast = casters + i * SIMD_CASTS_KEPT;
-            lamps[i].room = SIMD_CASTS_KEPT;
             prepare_lamp(view, n, l, &lamps[i]);
         }
 }

@@ -10,33 +10,37 @@ static void cast_forms(const struct simd_fine *fine, const struct simd_fine_ligh
                        const struct simd_caster *from, struct simd_fine_cast *cast)
 {
     const struct span_view *spans = span_view_of(fine->view);
-    double sum[2], centre[2];
+    double centre[2];
 
-    tia_simd_form(&spans->primary, fine->row, &fine->place, from->sum, sum);
     tia_simd_form(&spans->primary, fine->row, &fine->place, spans->spheres[from->sphere].centre, centre);
     cast->a[0] = from->aq;
     cast->k[0] = from->p0;
     for (int i = 0; i < 2; i++) {
-        cast->a[i + 1] = -(sum[i] + light->lamp->swell * light->g[i]);
+        cast->a[i + 1] = light->q[i] / 2 - centre[i] - light->lamp->swell * light->g[i];
         cast->k[i + 1] = -2 * centre[i];
     }
 }
 
-static void light_forms(const struct simd_fine *fine, const struct simd_lamp *lamp, struct simd_fine_light *light)
+void tia_simd_fine_light(struct simd_fine *fine, const struct simd_lamp *lamp)
 {
     const struct span_view *spans = span_view_of(fine->view);
 
+    if (simd_is_black(lamp->colour))
+        return;
+    struct simd_fine_light *light = &fine->light[fine->lights++];
     light->lamp = lamp;
+    light->first = fine->casts;
+    fine->casts += lamp->casts;
     tia_simd_form(&spans->primary, fine->row, &fine->place, lamp->g, light->g);
     tia_simd_form(&spans->primary, fine->row, &fine->place, lamp->light, light->q);
     light->q[0] *= -2;
     light->q[1] *= -2;
     for (int j = 0; j < lamp->casts; j++)
-        cast_forms(fine, light, &lamp->cast[j], &light->cast[j]);
+        cast_forms(fine, light, &lamp->cast[j], &fine->cast[light->first + j]);
 }
 
-bool tia_simd_fine(const struct tia_view *view, const struct simd_row *row, uint32_t sphere,
-                   const struct simd_lamp *lamps, int first, int end, struct simd_fine *fine)
+bool tia_simd_fine_place(const struct tia_view *view, const struct simd_row *row, uint32_t sphere, int first, int end,
+                         struct simd_fine *fine)
 {
     const struct span_view *spans = span_view_of(view);
     const struct tia_material *material = &view->scene->materials[view->scene->spheres[sphere].material];
@@ -44,21 +48,23 @@ bool tia_simd_fine(const struct tia_view *view, const struct simd_row *row, uint
     fine->view = view;
     fine->row = row;
     fine->sphere = sphere;
-    fine->lamps = lamps;
     fine->first = first;
     fine->end = end;
+    fine->lights = fine->casts = 0;
     tia_simd_place(&spans->primary, row, first, end, &fine->place);
-    if (!tia_simd_see(&spans->primary, row, &fine->place, simd_sphere_of(fine), &fine->seen))
-        return false;
     fine->grey = spans->grey && colour_is_grey(&material->colour) && colour_is_grey(&material->emission);
-    fine->emission[0] = (double)material->emission.r * 0x1p-30;
-    fine->emission[1] = (double)material->emission.g * 0x1p-30;
-    fine->emission[2] = (double)material->emission.b * 0x1p-30;
-    fine->lights = 0;
-    for (uint32_t l = 0; l < view->light_count; l++)
-        if (!simd_is_black(lamps[l].colour))
-            light_forms(fine, &lamps[l], &fine->light[fine->lights++]);
-    return true;
+    simd_channels(&material->emission, fine->emission);
+    return tia_simd_see(&spans->primary, row, &fine->place, simd_sphere_of(fine), &fine->seen);
+}
+
+bool tia_simd_fine(const struct tia_view *view, const struct simd_row *row, uint32_t sphere,
+                   const struct simd_lamp *lamps, int first, int end, struct simd_fine *fine)
+{
+    bool good = tia_simd_fine_place(view, row, sphere, first, end, fine);
+
+    for (uint32_t l = 0; good && l < view->light_count; l++)
+        tia_simd_fine_light(fine, &lamps[l]);
+    return good;
 }
 
 /* ---- for the kernels ---- */
@@ -74,12 +80,23 @@ static void scaled(const double from[3], double per_c, float *square, float *sta
 /* A factor with which |w|^2 is above every A'.w: |A'| is below 2^18, and |w| is above 2^-40 where |w|^2 is known. */
 #define ENDLESS 1e20f
 
+/* Gives a caster's transmission, which is not black. */
+static void run_through(const struct simd_fine *fine, const struct simd_caster *from, struct simd_cast *cast)
+{
+    const struct tia_scene *scene = fine->view->scene;
+    double through[3];
+
+    simd_channels(&scene->materials[scene->spheres[from->sphere].material].transmission, through);
+    for (int c = 0; c < 3; c++)
+        cast->through[c] = (float)through[c];
+}
+
 static void run_cast(const struct simd_fine *fine, const struct simd_fine_light *light, int j, double per_c,
                      struct simd_cast *cast)
 {
     const struct simd_lamp *lamp = light->lamp;
     const struct simd_caster *from = &lamp->cast[j];
-    const struct simd_fine_cast *fine_cast = &light->cast[j];
+    const struct simd_fine_cast *fine_cast = &fine->cast[light->first + j];
     const struct simd_cast_bounds *b = &fine_cast->bounds;
     double size = from->size + fine->depth.p_most + BOUND(SPAN_EDGE_BIAS);
     double sizes = 1 + BOUND(SPAN_EDGE_SIZES);
@@ -91,9 +108,9 @@ static void run_cast(const struct simd_fine *fine, const struct simd_fine_light 
     cast->ea = (float)(b->a * per_c * per_c * (1 + BOUND(SPAN_VERDICT_A)));
     cast->ek = (float)(b->k * per_c * per_c * (1 + BOUND(SPAN_RUN_K)));
     cast->ew = (float)(b->w * (1 + BOUND(SPAN_VERDICT_W)));
-    for (int c = 0; c < 3; c++)
-        cast->through[c] = (float)from->through[c];
     cast->clear = from->clear;
+    if (from->clear)
+        run_through(fine, from, cast);
     cast->radius = (float)(from->radius * sizes);
     cast->turn = (float)((from->apart + SIMD_BIAS) * sizes);
     cast->shift = (float)(SIMD_BIAS * lamp->per_r * sizes);
@@ -102,7 +119,9 @@ static void run_cast(const struct simd_fine *fine, const struct simd_fine_light 
     cast->fuzz_k = (float)BOUND_OF(SPAN_EDGE_K, (b->k + size * size * b->w) * (1 + BOUND(SPAN_EDGE_K_SECOND)));
 }
 
-static void run_light(const struct simd_fine *fine, const struct simd_fine_light *from, struct simd_light *light)
+/* Gives a light's constants, with those of its casters in `cast`. */
+static void run_light(const struct simd_fine *fine, const struct simd_fine_light *from, struct simd_cast *cast,
+                      struct simd_light *light)
 {
     const struct simd_lamp *lamp = from->lamp;
     double per_c = 1 / fine->seen.c;
@@ -119,8 +138,9 @@ static void run_light(const struct simd_fine *fine, const struct simd_fine_light
     }
     light->faint = (float)from->bounds.lambert;
     light->casts = lamp->casts;
+    light->cast = cast;
     for (int j = 0; j < lamp->casts; j++)
-        run_cast(fine, from, j, per_c, &light->cast[j]);
+        run_cast(fine, from, j, per_c, &cast[j]);
 }
 
 void tia_simd_dither(bool on, int y, struct simd_dither *dither)
@@ -158,7 +178,7 @@ static void run_unlit(const struct simd_fine *fine, const struct simd_dither *di
     run->unlit = (uint16_t)(r << 11 | g << 5 | b);
 }
 
-void tia_simd_run(const struct simd_fine *fine, const struct simd_dither *dither, struct simd_run *run)
+void tia_simd_run_place(const struct simd_fine *fine, const struct simd_dither *dither, struct simd_run *run)
 {
     const struct simd_seen *seen = &fine->seen;
     const struct simd_place *place = &fine->place;
@@ -167,7 +187,6 @@ void tia_simd_run(const struct simd_fine *fine, const struct simd_dither *dither
 
     run->count = fine->end - fine->first;
     run->grey = fine->grey;
-    run->lights = fine->lights;
     run->x0 = (float)place->low;
     run->b0 = (float)seen->b[0];
     run->b1 = (float)seen->b[1];
@@ -188,10 +207,26 @@ void tia_simd_run(const struct simd_fine *fine, const struct simd_dither *dither
     run->d_off = (float)((fabs(d[1]) + 2 * fabs(d[2]) * place->reach) * BOUND(SPAN_CELL_SLOPE) * SIMD_FLOAT);
     for (int c = 0; c < 3; c++)
         run->emission[c] = (float)fine->emission[c];
+    run->threshold = dither->half + (fine->first & 7);
+}
+
+void tia_simd_run_lights(const struct simd_fine *fine, struct simd_run *run)
+{
+    run->lights = fine->lights;
+    for (int l = 0; l < run->lights; l++)
+        run_light(fine, &fine->light[l], &run->cast[fine->light[l].first], &run->light[l]);
+}
+
+void tia_simd_run_levels(const struct simd_fine *fine, const struct simd_dither *dither, struct simd_run *run)
+{
     run->near31 = (float)fine->near31;
     run->near63 = (float)fine->near63;
-    run->threshold = dither->half + (fine->first & 7);
     run_unlit(fine, dither, run);
-    for (int l = 0; l < run->lights; l++)
-        run_light(fine, &fine->light[l], &run->light[l]);
+}
+
+void tia_simd_run(const struct simd_fine *fine, const struct simd_dither *dither, struct simd_run *run)
+{
+    tia_simd_run_place(fine, dither, run);
+    tia_simd_run_lights(fine, run);
+    tia_simd_run_levels(fine, dither, run);
 }

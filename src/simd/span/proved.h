@@ -13,7 +13,7 @@
 #define SIMD_FACING 6    /* relative rounding of K s in K s + G.v */
 #define SIMD_TURN 7      /* rounding of G.v in K s + G.v, relative to |g0| + |g1| X */
 #define SIMD_LAMBERT 24  /* relative rounding of r N.w/(r |w|), without the errors of r N.w and |w| */
-#define SIMD_COLOUR 6    /* rounding of lambert times tint and colour, and the sum; as much for each caster */
+#define SIMD_COLOUR 6    /* relative rounding of lambert times tint and colour; as much for each caster */
 #define SIMD_LINE 15     /* rounding of two lines between three samples */
 #define SIMD_DELTA 10    /* relative rounding of (A'.w)^2 and of |w|^2 k (1 + B), each */
 

@@ -29,9 +29,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define SIMD_LIGHTS 16
-#define SIMD_CASTS 24      /* of a light in a run */
-#define SIMD_CASTS_KEPT 12 /* of a light and a sphere, for a frame */
+#define SIMD_LIGHTS 8      /* of a run that is drawn with all its lights at once */
+#define SIMD_CASTS_FEW 3   /* of each light of such a run */
+#define SIMD_CASTS_KEPT 24 /* of a light and a sphere, for a frame */
+#define SIMD_CASTS 256     /* of a run: all lights of such a run, or one light, whose casters may be all spheres */
 #define SIMD_RUN 2048      /* largest number of pixels in a run */
 #define SIMD_BLOCK 1024    /* largest number of pixels that a kernel draws at once */
 #define SIMD_MORE 32       /* entries beyond a list, or beyond thresholds, that kernels may access */
@@ -44,8 +45,8 @@ struct simd_cast {
     float swell;       /* 1 + B */
     float ends;        /* the shadow ray's length in units of |w|: 1, or far more where the light is in the sphere */
     float ea, ek, ew;  /* error bounds: of A'.w and k, for s^2 in units of S^2; of |w|^2, relative */
-    float through[3];  /* the sphere's transmission */
-    int clear;         /* true if `through` is not black */
+    int clear;         /* true if the sphere transmits light */
+    float through[3];  /* then its transmission */
     float radius;      /* R */
     float turn, shift; /* turn/|w| + shift: largest change of the shadow ray's distance from C, per unit that P moves */
     float size;        /* upper limit of |A'| */
@@ -61,7 +62,7 @@ struct simd_light {
     float colour_most; /* the largest component of `colour` */
     float faint;       /* bound of lambert's error */
     int casts;
-    struct simd_cast cast[SIMD_CASTS];
+    const struct simd_cast *cast;
 };
 
 struct simd_run {
@@ -82,6 +83,7 @@ struct simd_run {
     uint16_t unlit;         /* if `tied`, the exact pixel without light, for the first threshold */
     const float *threshold; /* less 1/2, from the run's first pixel on; repeats after 8 */
     struct simd_light light[SIMD_LIGHTS];
+    struct simd_cast cast[SIMD_CASTS]; /* of the lights, one light after the other */
 };
 
 /* One of two spheres that cover the same pixels. */
@@ -96,12 +98,27 @@ struct simd_pair {
     float bound[2]; /* bounds of the relative errors of 1/t */
 };
 
+/* The colours of a run's pixels with the lights so far. */
+struct simd_sums {
+    float sum[3][SIMD_BLOCK + SIMD_MORE]; /* the first is NaN where a pixel is undecided */
+    uint64_t open[SIMD_CASTS];            /* for each caster of the last light the cells with pixels where both are
+                                             undecided, a bit for SIMD_CELL pixels */
+};
+
 struct simd_kernels {
     /* Draws the pixels that can be decided. Lists the undecided ones, whose places in `out` it may overwrite, and
      * returns their number. The list has room for all pixels and SIMD_MORE entries. `cells` points to working storage,
      * whose size is in the member `cells`. */
     int (*shade)(const struct simd_run *run, uint16_t *out, uint16_t *list, void *cells);
     size_t cells;
+
+    /* Draws a run of at most SIMD_BLOCK pixels light by light: `start`, then `add` with each light as the run's only
+     * one, then `finish`, which alone needs near31, near63, tied and unlit. All three have the same `sums`, which are
+     * the beginning of the working storage. `add` lists the pixels where its light is undecided, and leaves their sums
+     * as they are; `finish` lists the undecided pixels. Both return their number. */
+    void (*start)(const struct simd_run *run, struct simd_sums *sums);
+    int (*add)(const struct simd_run *run, struct simd_sums *sums, uint16_t *list);
+    int (*finish)(const struct simd_run *run, struct simd_sums *sums, uint16_t *out, uint16_t *list);
 
     /* nearer: bit i is set if body 0 is nearer at pixel i; open: bit i is set if that is undecided. */
     void (*nearer)(const struct simd_pair *pair, uint64_t *nearer, uint64_t *open);

@@ -14,10 +14,9 @@ bool coherence_shadows(const struct span_view *spans, const struct shaded_span *
 bool coherence_near(const struct span_view *spans, const struct shaded_span *span, uint32_t light,
                     struct span_shadows *shadows);
 
-/* Surrounds the points of pixels first..last of a span; false if its distances are too inaccurate. Those of both pixels
- * and of the one in the middle, rounded down, suffice. */
-bool coherence_surround(const struct span_view *spans, const struct shaded_span *span, int first, int last,
-                        struct coarse_ball *ball);
+/* Sets shadows->around to a ball around the points of a span, once; false if its distances are too inaccurate. The same
+ * distances suffice. */
+bool coherence_around(const struct span_view *spans, const struct shaded_span *span, struct span_shadows *shadows);
 
 /* True if sphere `n` is certainly nearer than sphere `other` at all pixels of a span, which both show. */
 bool coherence_nearer(const struct span_view *spans, uint32_t n, uint32_t other, int y, struct span span);

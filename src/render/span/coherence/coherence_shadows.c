@@ -208,6 +208,13 @@ static bool find_reach(int parts, int count, struct span_shadows *shadows)
     return first < end;
 }
 
+bool coherence_around(const struct span_view *spans, const struct shaded_span *span, struct span_shadows *shadows)
+{
+    if (!shadows->tried)
+        find_ball(spans, span, shadows);
+    return shadows->known;
+}
+
 bool coherence_near(const struct span_view *spans, const struct shaded_span *span, uint32_t light,
                     struct span_shadows *shadows)
 {
@@ -217,8 +224,7 @@ bool coherence_near(const struct span_view *spans, const struct shaded_span *spa
 
     if (span_next_in(casters, list, 0) == casters->count)
         return false;
-    if (!shadows->tried)
-        find_ball(spans, span, shadows);
+    (void)coherence_around(spans, span, shadows);
     for (uint32_t i = 0; !shadows->known && i < (casters->count + 7) / 8; i++)
         shadows->near[i] = list[i];
     return !shadows->known || find_near(&d, list);
@@ -238,12 +244,4 @@ bool coherence_shadows(const struct span_view *spans, const struct shaded_span *
     if (shadows->known)
         find_parts(&d);
     return find_reach(parts, span->count, shadows);
-}
-
-bool coherence_surround(const struct span_view *spans, const struct shaded_span *span, int first, int last,
-                        struct coarse_ball *ball)
-{
-    struct coarse_ball end[2];
-
-    return surround(spans, span, first, last, ball, end);
 }

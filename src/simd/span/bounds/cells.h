@@ -78,8 +78,12 @@ FORMULA(SPAN_CELL_LINE);
  * faster. Unseen: choice. */
 #define BOUND_SPAN_CELL_FAINT .12
 
+/* The same for all lights of a run that is drawn light by light, whose undecided pixels are computed in doubles at
+ * once. A choice. Unseen: choice. */
+#define BOUND_SPAN_TOTAL_FAINT .01
+
 /* The error that the interpolation of one light adds to a colour: the line's error times the largest component of the
- * light's colour. */
+ * light's colour. SPAN_COLOUR_SUM has the rounding of the sum over lights. */
 FORMULA(SPAN_CELL_LOST);
 
 /* ---- shadows between samples ---- */

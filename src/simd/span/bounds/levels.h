@@ -40,6 +40,10 @@ FORMULA(SPAN_SQUARE);
 /* The rounding of G.v in K s + G.v, relative to |g0| + |g1| X. Proved: simd_forms.g (turn), 5 of 7 u. */
 #define BOUND_SPAN_TURN SIMD_TURN
 
+/* The rounding of (P - L).G - r^2, by whose sign a light is away from all points P of a ball: SPAN_PARTS of its terms.
+ * Unseen: small. */
+FORMULA(SPAN_AWAY);
+
 /* The second-order error of K s in e_s. There is none, as K s is linear in s: 0 of .01. Unseen: small. */
 #define BOUND_SPAN_FACING_SECOND .01
 
@@ -69,16 +73,20 @@ FORMULA(SPAN_COSINE);
 
 /* ---- colours and levels ---- */
 
-/* The rounding of a light's contribution to a colour: lambert times tint and colour, and the sum. Each caster adds as
- * much. Proved: simd_forms.g (colour, colour_sum, caster), 4 of 6 u. */
+/* The rounding of a light's contribution to a colour, relative to the light's colour: the colour, and lambert times
+ * tint and colour. Each caster adds as much. Proved: simd_forms.g (colour, colour_sum, caster), 3 of 6 u. */
 #define BOUND_SPAN_COLOUR SIMD_COLOUR
+
+/* The rounding of a sum of colours with a light's contribution: the sum is at most 1 before and after, and a float in
+ * between; and that of the sum of lines' errors, which is at most 1/63 of SPAN_CELL_FAINT. 1.002 of 1.1 u. */
+#define BOUND_SPAN_COLOUR_SUM 1.1
 
 /* The rounding of a cosine interpolated by two lines between three samples, which are at most 1.01. Proved:
  * simd_forms.g (line), 11 of 15 u. */
 #define BOUND_SPAN_LINE SIMD_LINE
 
 /* The error of a light's contribution to a colour: the light's colour times the bounds of the cosine and of the
- * interpolation, plus SPAN_COLOUR. Minima, maxima and clamps never enlarge an error. */
+ * interpolation and SPAN_COLOUR, plus SPAN_COLOUR_SUM. Minima, maxima and clamps never enlarge an error. */
 FORMULA(SPAN_COLOURS);
 
 /* The error of a channel in levels, for 31 or 63 levels: the colour's error times their number, plus
