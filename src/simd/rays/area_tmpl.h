@@ -1,7 +1,7 @@
 /* area_tmpl.h - an area light as a whole: what holds for all of its samples, and numbers that are linear along its
  * axes.
  *
- * Parameters: the doubles of isa/isa.h. Defines: area_of(), turned_away(), affine_of(), affine_at(), affine_reach(),
+ * Parameters: the doubles of isa/isa.h. Defines: set_area(), turned_away(), affine_of(), affine_at(), affine_reach(),
  * square_of(), square_at(), inverse_root(), struct area, struct affine, struct square.
  *
  * A sample S = L + x A + y B is at W + x A + y B from P, W = L - P. So its height over any plane through P is linear in
@@ -101,7 +101,7 @@ LANE_OP void set_area_errors(const struct aim *aim, const struct shade *h, struc
     a->apart = BOUND_OF(SHAFT_APART, h->eoutside + es) + (out + size) * BOUND(SHAFT_ROUNDING) + BOUND(SHAFT_UNITS);
 }
 
-static __attribute__((noinline)) void area_of(const struct sure_light *l, const struct aim *aim, const struct shade *h,
+static __attribute__((noinline)) void set_area(const struct sure_light *l, const struct aim *aim, const struct shade *h,
                                               struct area *a)
 {
     a->light = l;

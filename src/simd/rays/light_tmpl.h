@@ -294,7 +294,7 @@ static unsigned add_area(const struct sure_scene *s, const struct sure_light *l,
     if (!tia_light_has(l->from->kind, TIA_LIGHT_AREA) || tia_light_has(l->from->kind, TIA_LIGHT_CONE) ||
         l->from->fades || !l->place)
         return lanes;
-    area_of(l, aim, h, &room->area);
+    set_area(l, aim, h, &room->area);
     lanes &= ~mbits(turned_away(&room->area, h));
     if (!lanes)
         return 0;
