@@ -253,6 +253,7 @@ LANE_OP void sum_samples(const struct sure_scene *scene, const struct shaft *f, 
         area_place(l, &places, i, &s);
         s.inverse = inverse_root(square_at(&f->area->seen, s.x, s.y));
         find_turned(&t, scene->bias, mof(lanes), &s, &sum);
+        check_shadow(mbits(s.lit));
         if (!clear && f->balls)
             pass_balls(f, &s, &sum);
         if (!clear && f->others && any(s.lit))
