@@ -236,18 +236,23 @@ static void shaft_object(const struct sure_scene *s, uint32_t index, unsigned la
 
 static void walk_shaft(const struct sure_scene *s, struct pending *restrict stack, struct shaft *f)
 {
+    unsigned active = twice(f->lanes & ~f->rest);
     int depth = s->objects.node_count ? 1 : 0;
 
     stack[0].child.index = 0;
-    while (depth > 0 && f->lanes & ~f->rest) {
+    while (depth > 0 && active) {
         const struct sure_node *n = &s->objects.nodes[stack[--depth].child.index];
-        unsigned entered = enter_shaft(f, n);
-        for (int i = 0; i < 2; i++) {
-            unsigned in = half(entered >> i) & f->lanes & ~f->rest;
-            if (in && n->count[i] == SURE_INNER)
+        unsigned entered = enter_shaft(f, n) & active;
+        for (int i = 0; entered; i++, entered = entered >> 1 & EVEN) {
+            if (!(entered & EVEN))
+                continue;
+            if (n->count[i] == SURE_INNER) {
                 stack[depth++].child.index = n->index[i];
-            for (uint32_t k = 0; in && n->count[i] != SURE_INNER && k < n->count[i]; k++)
-                shaft_object(s, s->objects.items[n->index[i] + k], in, f);
+                continue;
+            }
+            for (uint32_t k = 0; k < n->count[i]; k++)
+                shaft_object(s, s->objects.items[n->index[i] + k], half(entered), f);
+            active = twice(f->lanes & ~f->rest);
         }
     }
 }
