@@ -128,6 +128,7 @@ typedef __mmask8 vm;
 #define mbits(m) ((unsigned)(m))
 #define mof(bits) ((vm)(bits))
 #define VRSQRT(a) d_rsqrt(a)
+#define VBYTES(x) _mm512_cvtepi32_pd(_mm256_cvtepu8_epi32(_mm_cvtsi64_si128((int64_t)(x))))
 #define VPACK(a, lanes) _mm512_maskz_compress_pd(mof(lanes), a)
 #define OF16(table, index)                                                                                             \
     (vu) _mm256_permutex2var_epi32(_mm256_loadu_si256((const void *)(table)), (__m256i)(index),                        \

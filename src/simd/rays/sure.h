@@ -133,8 +133,13 @@ struct sure_instance {
 
 struct sure_grid {
     const struct tia_grid *from;
+    const uint8_t *empty; /* for each cell, the distance to the nearest cell that is not empty; NULL: not known */
     double corner[3], edge;
 };
+
+/* Most cells of grids with distances, which are set for each frame, and the largest distance. */
+#define SURE_GRID_CELLS (UINT32_C(1) << 20)
+#define SURE_GRID_FAR 64
 
 struct sure_object {
     enum sure_kind kind;
@@ -348,8 +353,20 @@ struct sure_places {
     struct sure_round *rounds;
     struct sure_face *faces; /* one for each shape */
     struct sure_grid *grids;
+    uint8_t *empty; /* distances of all grids that have them, one after the other */
     struct sure_instance *instances;
 };
+
+/* Sets the distances of a grid's cells, see struct sure_grid. */
+void tia_sure_set_empty(uint8_t *to, const struct tia_grid *grid);
+
+/* Returns the number of cells of a grid if it has distances, else 0. */
+static inline uint32_t sure_grid_cells(const struct tia_grid *g)
+{
+    uint64_t cells = (uint64_t)g->size[0] * g->size[1] * g->size[2];
+
+    return cells <= SURE_GRID_CELLS ? (uint32_t)cells : 0;
+}
 
 /* Largest number of nodes made from a given hierarchy of `count` nodes. */
 #define SURE_NODES(count) (((count) + 1) / 2)
