@@ -3,71 +3,9 @@
 #include "one_lane.h"
 
 #include "float_modes.h"
-#include "ray_steps.h"
+#include "ray_areas.h"
 
-enum { TRIES = 20000, SAMPLES = 8 };
-#define WITHIN .9999L /* used part of a bound */
-
-static struct light_room room;
-static double places[16][2][SURE_PLACES];
 static const uint8_t class[1];
-
-/* A light of a few samples on a rectangle or a disc, and a point that sees it. */
-struct scenery {
-    struct ray_light from;
-    struct sure_light light;
-    struct shade shade;
-    struct aim aim;
-    struct area area;
-};
-
-static struct real place_of(const struct scenery *c, int i)
-{
-    struct real s = {{c->light.at[0], c->light.at[1], c->light.at[2]}};
-
-    s = real_along(s, real_of(c->area.axes[0]), places[0][0][i]);
-    return real_along(s, real_of(c->area.axes[1]), places[0][1][i]);
-}
-
-static void some_light(struct scenery *c)
-{
-    bool sides = random_bits() % 2;
-    struct real n = real_random(), a = real_aside(n), b = real_cross(n, a), at = real_random();
-    double far = 1 + 7 * some_part(), size = (sides ? 0.2 : 0.45) * far * some_part();
-
-    memset(c, 0, sizeof *c);
-    c->from = (struct ray_light){.kind = sides ? TIA_RECTANGLE_LIGHT : TIA_SPHERE_LIGHT, .samples = SAMPLES};
-    c->light = (struct sure_light){.from = &c->from, .radius = sides ? 0 : size, .place = places};
-    for (int i = 0; i < 3; i++)
-        c->light.at[i] = (double)at.v[i] * far;
-    c->aim.axes[0] = v3_of(real_along((struct real){{0}}, a, sides ? size : 1));
-    c->aim.axes[1] = v3_of(real_along((struct real){{0}}, b, sides ? size * some_part() : 1));
-    for (int i = 0; i < SAMPLES; i++) {
-        double turn = 7 * some_part(), radius = size * some_part();
-        places[0][0][i] = sides ? random_double() : radius * cos(turn);
-        places[0][1][i] = sides ? random_double() : radius * sin(turn);
-    }
-}
-
-/* Sets the light as it is seen from a point near the origin. */
-static void some_view(struct scenery *c)
-{
-    struct shade *h = &c->shade;
-    struct real to = real_unit((struct real){{c->light.at[0], c->light.at[1], c->light.at[2]}});
-
-    h->point = v3_scale(v3_of(real_random()), some_part() / 4);
-    h->outside = h->point;
-    h->normal = h->geometric = v3_of(real_unit(real_along(to, real_random(), 1.5L * (long double)some_part())));
-    h->viewer = v3_of(real_random());
-    h->facing = v3_dot(h->normal, h->viewer);
-    h->ep = some_size(12, 30);
-    h->eoutside = h->ep;
-    h->en = h->eg = some_size(12, 30);
-    h->efacing = h->en;
-    h->glossy = 1;
-    h->exponent = 1 + 60 * some_part();
-    set_area(&c->light, &c->aim, h, &c->area);
-}
 
 /* ---- sums ---- */
 
@@ -122,27 +60,6 @@ TEST(sums)
 }
 
 /* ---- objects in the way ---- */
-
-/* The exact ray to a sample from an origin that is displaced by its error, towards the ball around `centre` or away
- * from it. */
-struct exact_ray {
-    struct real o, d;
-    long double length;
-};
-
-static struct exact_ray ray_to(const struct scenery *c, int i, struct real centre, long double turn)
-{
-    struct exact_ray r = {.o = real_of(c->shade.outside)};
-    struct real to = place_of(c, i), d = real_unit(real_along(to, r.o, -1)), l = real_along(centre, r.o, -1);
-    struct real aside = real_along(l, d, -real_dot(l, d));
-
-    if (real_dot(aside, aside) > 1e-12L)
-        r.o = real_along(r.o, real_unit(aside), turn * c->shade.eoutside);
-    r.d = real_along(to, r.o, -1);
-    r.length = sqrtl(real_dot(r.d, r.d));
-    r.d = real_unit(r.d);
-    return r;
-}
 
 /* The distance of the ray's nearest point to a centre; of its line if `whole`. */
 static long double passes_at(const struct exact_ray *r, struct real centre, bool whole)

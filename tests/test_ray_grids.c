@@ -4,6 +4,7 @@
 
 #include "float_modes.h"
 #include "ray_steps.h"
+#include "simd/rays/grids.h"
 
 enum { LONGEST = 12, CELLS = LONGEST * LONGEST * LONGEST };
 

@@ -17,6 +17,7 @@
 #ifndef TIA_SIMD_RAYS_GRID_TMPL_H
 #define TIA_SIMD_RAYS_GRID_TMPL_H
 
+#include "bytes_tmpl.h"
 #include "grid_ray_tmpl.h"
 
 struct grid_axis {
@@ -120,59 +121,10 @@ LANE_OP vm enter_grids(struct grid_walk *g, vm lanes, vd limit, struct grid_entr
     return mand(lanes, clear);
 }
 
-/* Returns the bytes of the lanes' cells, a byte for each lane. */
-LANE_OP uint64_t grid_bytes(const uint8_t *cells, vd index)
-{
-    int64_t at[LANES];
-    vi bits = as_integers(index + vset(4503599627370496.0)); /* adding 2^52 moves the integer to the low bits */
-    uint64_t content = 0;
-
-    __builtin_memcpy(at, &bits, sizeof at);
-    for (int k = 0; k < LANES; k++)
-        content |= (uint64_t)cells[(uint32_t)at[k]] << 8 * k;
-    return content;
-}
-
+/* Returns the contents of cells. */
 LANE_OP uint64_t grid_contents(const struct grid_walk *g, vd index)
 {
     return grid_bytes(g->grid->from->cells, index);
-}
-
-/* Returns the bytes as numbers, one for each lane. */
-LANE_OP vd numbers_of_bytes(uint64_t bytes)
-{
-#ifdef VBYTES
-    return VBYTES(bytes);
-#else
-#define NUMBER(k) (double)(bytes >> 8 * (k)&255)
-    return (vd){EACH_LANE(NUMBER)};
-#undef NUMBER
-#endif
-}
-
-/* True if a byte of `live`, whose bytes are 0 or 255, is 0. It may be true for a byte of 1 beside such a byte. */
-LANE_OP bool any_empty_byte(uint64_t bytes, uint64_t live)
-{
-    return ((bytes - UINT64_C(0x0101010101010101)) & ~bytes & UINT64_C(0x8080808080808080) & live) != 0;
-}
-
-LANE_OP uint64_t bytes_of_lanes(unsigned lanes)
-{
-    uint64_t bytes = 0;
-
-    for (int k = 0; k < LANES; k++)
-        bytes |= (uint64_t)(lanes >> k & 1 ? 255 : 0) << 8 * k;
-    return bytes;
-}
-
-/* Returns the lanes whose byte is not 0. */
-LANE_OP unsigned lanes_of_bytes(uint64_t bytes)
-{
-    unsigned lanes = 0;
-
-    for (int k = 0; k < LANES; k++)
-        lanes |= (unsigned)((bytes >> 8 * k & 255) != 0) << k;
-    return lanes;
 }
 
 /* Returns the numbers of empty layers around cells, from their distances. */

@@ -1,6 +1,6 @@
 /* grids.c - the distance of each cell of a grid to the nearest cell that is not empty, as the largest of the distances
  * along the three axes: a ray may pass over as many cells. */
-#include "sure.h"
+#include "grids.h"
 
 /* Rows of cells along x in the order of a sweep: forward, or `back` from the last row to the first. */
 struct sweep {

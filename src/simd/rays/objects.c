@@ -1,4 +1,5 @@
 /* objects.c - conversion of spheres and shapes to double precision. */
+#include "grids.h"
 #include "scene/colour.h"
 #include "sure.h"
 

@@ -137,10 +137,6 @@ struct sure_grid {
     double corner[3], edge;
 };
 
-/* Most cells of grids with distances, which are set for each frame, and the largest distance. */
-#define SURE_GRID_CELLS (UINT32_C(1) << 20)
-#define SURE_GRID_FAR 64
-
 struct sure_object {
     enum sure_kind kind;
     uint32_t material;
@@ -356,17 +352,6 @@ struct sure_places {
     uint8_t *empty; /* distances of all grids that have them, one after the other */
     struct sure_instance *instances;
 };
-
-/* Sets the distances of a grid's cells, see struct sure_grid. */
-void tia_sure_set_empty(uint8_t *to, const struct tia_grid *grid);
-
-/* Returns the number of cells of a grid if it has distances, else 0. */
-static inline uint32_t sure_grid_cells(const struct tia_grid *g)
-{
-    uint64_t cells = (uint64_t)g->size[0] * g->size[1] * g->size[2];
-
-    return cells <= SURE_GRID_CELLS ? (uint32_t)cells : 0;
-}
 
 /* Largest number of nodes made from a given hierarchy of `count` nodes. */
 #define SURE_NODES(count) (((count) + 1) / 2)

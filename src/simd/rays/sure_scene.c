@@ -1,6 +1,7 @@
 /* sure_scene.c - conversion of the fixed-point scene to double precision. */
 #include <tia/motion.h>
 
+#include "grids.h"
 #include "render/geometry/triangle.h"
 #include "scene/bvh/tree.h"
 #include "scene/colour.h"
