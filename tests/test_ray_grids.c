@@ -1,4 +1,4 @@
-/* src/simd/rays, distances in grids, beside the nearest cell of all; and rays that leap by them, beside rays that step.
+/* src/simd/rays, empty cubes of grids, beside all of their cells; and rays that leap by them, beside rays that step.
  */
 #include "one_lane.h"
 
@@ -9,7 +9,7 @@
 enum { LONGEST = 12, CELLS = LONGEST * LONGEST * LONGEST };
 
 struct trial {
-    uint8_t cells[CELLS], empty[CELLS];
+    uint8_t cells[CELLS], empty[8 * CELLS];
     struct tia_grid grid;
     struct sure_grid sure;
 };
@@ -27,35 +27,43 @@ static void some_grid(struct trial *t)
     t->sure = (struct sure_grid){.from = &t->grid, .edge = 0.25, .corner = {-1, 0.5, -0.25}};
 }
 
-static int nearest(const struct trial *t, int x, int y, int z)
+/* True if a cube of this edge, with the cell in one corner, has only empty cells. */
+static bool is_empty(const struct trial *t, const int at[3], unsigned octant, int edge)
 {
     const uint16_t *n = t->grid.size;
-    int least = SURE_GRID_FAR;
 
-    for (int i = 0; i < n[0] * n[1] * n[2]; i++) {
-        int dx = abs(i % n[0] - x), dy = abs(i / n[0] % n[1] - y), dz = abs(i / n[0] / n[1] - z);
-        int far = dx > dy ? dx : dy;
-        far = dz > far ? dz : far;
-        least = t->cells[i] && far < least ? far : least;
+    for (int k = 0; k < n[0] * n[1] * n[2]; k++) {
+        const int cell[3] = {k % n[0], k / n[0] % n[1], k / n[0] / n[1]};
+        bool in = true;
+        for (int i = 0; i < 3; i++) {
+            int away = octant >> i & 1 ? at[i] - cell[i] : cell[i] - at[i];
+            in = in && away >= 0 && away < edge;
+        }
+        if (in && t->cells[k])
+            return false;
     }
-    return least;
+    return true;
 }
 
-TEST(distances)
+TEST(cubes)
 {
     static struct trial t;
     int wrong = 0;
 
-    for (int i = 0; i < 40; i++) {
+    for (int i = 0; i < 200; i++) {
         some_grid(&t);
         const uint16_t *n = t.grid.size;
-        for (int k = 0; k < n[0] * n[1] * n[2]; k++)
-            wrong += t.empty[k] != nearest(&t, k % n[0], k / n[0] % n[1], k / n[0] / n[1]);
+        const int at[3] = {(int)(random_bits() % n[0]), (int)(random_bits() % n[1]), (int)(random_bits() % n[2])};
+        for (unsigned octant = 0; octant < 8; octant++) {
+            int edge = t.empty[octant * n[0] * n[1] * n[2] + (unsigned)((at[2] * n[1] + at[1]) * n[0] + at[0])];
+            wrong += !is_empty(&t, at, octant, edge);
+            wrong += edge < SURE_GRID_FAR && is_empty(&t, at, octant, edge + 1);
+        }
     }
-    CHECK_MSG(wrong == 0, "%d distances are wrong", wrong);
+    CHECK_MSG(wrong == 0, "%d cubes are wrong", wrong);
 }
 
-/* Meets the grid with or without distances. */
+/* Meets the grid with or without cubes. */
 static struct query met(struct trial *t, struct packet *p, bool leaps)
 {
     static struct grid_walk walk;
@@ -108,7 +116,7 @@ int main(void)
 {
     (void)trace;
     float_mode_of_simd();
-    RUN(distances);
+    RUN(cubes);
     RUN(leaps);
     return check_status();
 }

@@ -6,11 +6,10 @@
  * |o|)/|d| for A, 3 u of the grid's size over |d| for n B, and u |t| for the sum. grid_ray_tmpl.h allows 4 u of each,
  * so that `base` and `slope` are the same as there. `off` is the largest such error while the ray is in the grid.
  *
- * In an empty cell around which r layers of cells are empty too, a ray leaps to the first plane at which it leaves
- * these layers, and so past r planes or more at once. Along the other axes, it is then between the planes floor(u) and
- * floor(u)
- * + 1, u = (t - A)/B, if u is certainly no integer; else it steps once. A plane's time depends on the plane alone, so
- * that the cell does not depend on the way to it.
+ * In a corner of an empty cube, a ray leaps to the first plane at which it leaves the cube, and so past as many planes
+ * or more at once. Along the other axes it is then between the planes floor(u) and floor(u) + 1, u = (t - A)/B, if u is
+ * certainly no integer; else it steps once. A plane's time depends on the plane alone, so that the cell does not depend
+ * on the way to it.
  *
  * A ray leaves the packet if it hardly moves along an axis, if it enters too close to an edge, or if the order of two
  * planes is undecided. grid_ray_tmpl.h continues its walk from there. */
@@ -34,7 +33,8 @@ struct grid_walk {
     struct grid_axis axis[3];
     vd index;                   /* index of the cell in memory */
     vd off;                     /* largest error of a plane's time, along any axis */
-    vd layers;                  /* number of empty layers around the cell; 0: take a step */
+    vd octant;                  /* where the cubes of the ray's octant are */
+    vd beyond;                  /* number of cells behind this one that are in an empty cube; 0: take a step */
     uint64_t here;              /* content of the cell, a byte for each lane */
     uint64_t live;              /* 255 in the bytes of walking lanes */
     vm walking, alone, started; /* alone: continued by grid_ray_tmpl.h, from the current cell if they are `started` */
@@ -127,15 +127,16 @@ LANE_OP uint64_t grid_contents(const struct grid_walk *g, vd index)
     return grid_bytes(g->grid->from->cells, index);
 }
 
-/* Returns the numbers of empty layers around cells, from their distances. */
-LANE_OP vd layers_of(uint64_t empty)
+/* Returns the cubes of cells, a byte for each lane. */
+LANE_OP uint64_t grid_cubes(const struct grid_walk *g, vd index)
 {
-    return vmax(numbers_of_bytes(empty) - 1, vset(0));
+    return grid_bytes(g->grid->empty, index + g->octant);
 }
 
-LANE_OP vd layers_around(const struct grid_walk *g, vd index)
+/* Returns the numbers of cells behind the corners of cubes. */
+LANE_OP vd behind_corners(uint64_t cubes)
 {
-    return g->grid->empty ? layers_of(grid_bytes(g->grid->empty, index)) : vset(0);
+    return vmax(numbers_of_bytes(cubes) - 1, vset(0));
 }
 
 /* Records the hits of rays that pass a plane at t into different content. A hit at t <= e may be behind the origin, so
@@ -157,10 +158,11 @@ LANE_OP void start_grids(struct grid_walk *g, const struct packet *p, vm lanes, 
     const vd o[3] = {p->o.x, p->o.y, p->o.z}, d[3] = {p->d.x, p->d.y, p->d.z};
     const vm enters[3] = {mand(entry->first, mnot(entry->inside)), mand(entry->second, mnot(entry->inside)),
                           mnot(mor(entry->inside, mor(entry->first, entry->second)))};
+    const double cells = (double)g->grid->from->size[0] * g->grid->from->size[1] * g->grid->from->size[2];
     vd at = vsel(entry->inside, vset(0), entry->in), slack = vsel(entry->inside, vset(0), entry->ein);
     vm clear = lanes;
 
-    g->index = vset(0);
+    g->index = g->octant = vset(0);
     for (int i = 0; i < 3; i++) {
         struct grid_axis *x = &g->axis[i];
         vd off = BOUND_OF(GRID_PLACE, p->eo + at * p->ed + slack) + (vabs(o[i]) + at) * BOUND(GRID_PLACE_ROUNDING) +
@@ -170,11 +172,12 @@ LANE_OP void start_grids(struct grid_walk *g, const struct packet *p, vm lanes, 
         x->plane = vsel(x->back, -x->cell, x->cell + 1);
         x->end = vsel(x->back, vset(0), x->last + 1);
         g->index = g->index + x->cell * (x->stride * x->step);
+        g->octant = g->octant + vsel(x->back, vset((double)(1 << i) * cells), vset(0));
     }
     g->alone = mor(g->alone, mand(lanes, mnot(clear)));
     g->index = vsel(clear, g->index, vset(0));
     g->here = grid_contents(g, g->index);
-    g->layers = layers_around(g, g->index);
+    g->beyond = g->grid->empty ? behind_corners(grid_cubes(g, g->index)) : vset(0);
     vm hit = mand(mof(lanes_of_bytes(g->here)), mand(clear, mnot(entry->inside)));
     vm back =
         mor(mor(mand(enters[0], g->axis[0].back), mand(enters[1], g->axis[1].back)), mand(enters[2], g->axis[2].back));
@@ -218,7 +221,7 @@ static __attribute__((noinline)) void end_grids(struct grid_walk *g, const struc
     grid_hit(g, mof(hit), s->at, e, 6 * vsel(mof(into), s->to, s->from) + side);
 }
 
-/* Returns the plane that follows the time m along an axis that a ray does not leave the layers along. Clears *certain
+/* Returns the plane that follows the time m along an axis that a ray does not leave the cube along. Clears *certain
  * in the lanes where another plane may. */
 LANE_OP vd plane_after(const struct grid_axis *x, vd m, vd off, vm *certain)
 {
@@ -229,7 +232,7 @@ LANE_OP vd plane_after(const struct grid_axis *x, vd m, vd off, vm *certain)
     return low + 1;
 }
 
-/* Sets the layers around the cells that the lanes `go` have reached; lanes that neither step nor leap step next.
+/* Sets what is beyond the cells that the lanes `go` have reached; lanes that neither step nor leap step next.
  * Returns the bits in which the content of these cells differs. */
 LANE_OP uint64_t arrive(struct grid_walk *g, vm go, vd to)
 {
@@ -238,8 +241,8 @@ LANE_OP uint64_t arrive(struct grid_walk *g, vm go, vd to)
 
     if (!g->grid->empty)
         return grid_contents(g, index) ^ g->here;
-    empty = grid_bytes(g->grid->empty, index);
-    g->layers = vsel(go, layers_of(empty), vset(0));
+    empty = grid_cubes(g, index);
+    g->beyond = vsel(go, behind_corners(empty), vset(0));
     if ((g->here & g->live) == 0 && !any_empty_byte(empty, g->live))
         return 0;
     return grid_contents(g, index) ^ g->here;
@@ -255,14 +258,14 @@ LANE_OP void step_or_leap(struct grid_walk *g, vd limit, bool leaps)
     vd t[3], plane[3];
 
     for (int i = 0; i < 3; i++) {
-        plane[i] = leaps ? vmin(x[i].plane + g->layers, x[i].end) : x[i].plane;
+        plane[i] = leaps ? vmin(x[i].plane + g->beyond, x[i].end) : x[i].plane;
         t[i] = x[i].a + plane[i] * x[i].ahead;
     }
     vd less = vmin(t[0], t[1]), more = vmax(t[0], t[1]), m = vmin(less, t[2]), after = vmax(less, vmin(more, t[2]));
     s.at = m;
     s.first = vle(t[0], m);
     s.second = mand(mnot(s.first), vle(t[1], m));
-    vm third = mnot(mor(s.first, s.second)), far = leaps ? vlt(vset(0), g->layers) : mnone(), stays = mnone();
+    vm third = mnot(mor(s.first, s.second)), far = leaps ? vlt(vset(0), g->beyond) : mnone(), stays = mnone();
     const vm along[3] = {s.first, s.second, third};
     s.open = mand(vle(after - m, BOUND_OF(GRID_ORDER, 2 * g->off)), mnot(far));
     s.over = mand(mnot(s.open), vlt(limit, m - g->off));
@@ -351,7 +354,7 @@ static __attribute__((noinline)) void meet_grid(struct query *q, const struct su
     if (any(enter)) {
         start_grids(g, p, enter, &entry);
         while (any(g->walking))
-            if (any(vlt(vset(0), g->layers)))
+            if (any(vlt(vset(0), g->beyond)))
                 leap_grids(g, q->limit);
             else
                 step_grids(g, q->limit);

@@ -1,57 +1,50 @@
-/* grids.c - the distance of each cell of a grid to the nearest cell that is not empty, as the largest of the distances
- * along the three axes: a ray may pass over as many cells. */
+/* grids.c - the empty cubes of a grid's cells: for each cell and each octant of directions, the number of cells along
+ * an edge of the largest cube that has this cell in one corner, extends into the octant and has only empty cells. */
 #include "grids.h"
 
-/* Rows of cells along x in the order of a sweep: forward, or `back` from the last row to the first. */
-struct sweep {
-    uint8_t *row;
-    int count, x; /* x: 1 or -1 */
-    const uint8_t *before[4];
-    int rows;
-};
-
-static uint8_t least(uint8_t a, uint8_t b)
+/* Returns the least number of the seven neighbours of a cell in an octant; `step` and `ahead` tell, for each axis, the
+ * distance in memory to the next cell, and whether there is one. Beyond the grid all is empty. */
+static uint8_t least_beside(const uint8_t *cell, const ptrdiff_t step[3], const bool ahead[3])
 {
-    return a < b ? a : b;
+    uint8_t least = SURE_GRID_FAR;
+
+    for (int way = 1; way < 8; way++) {
+        ptrdiff_t at = 0;
+        bool in = true;
+        for (int i = 0; i < 3; i++) {
+            at += way >> i & 1 ? step[i] : 0;
+            in = in && (ahead[i] || !(way >> i & 1));
+        }
+        if (in && cell[at] < least)
+            least = cell[at];
+    }
+    return least;
 }
 
-/* Lowers the distances of a row's cells to one more than those of their neighbours in the rows before, and of the cell
- * before in the row itself. */
-static void sweep_row(const struct sweep *s, uint8_t *near)
+/* Sets the cubes of an octant, the cells that are farthest along it first. */
+static void set_octant(uint8_t *to, const struct tia_grid *grid, unsigned octant)
 {
-    for (int x = 0; x < s->count; x++) {
-        near[x + 1] = SURE_GRID_FAR;
-        for (int i = 0; i < s->rows; i++)
-            near[x + 1] = least(near[x + 1], s->before[i][x]);
-    }
-    near[0] = near[s->count + 1] = SURE_GRID_FAR;
-    for (int i = 0, x = s->x > 0 ? 0 : s->count - 1; i < s->count; i++, x += s->x) {
-        uint8_t nearest = least(least(near[x], near[x + 1]), near[x + 2]);
-        if (i > 0)
-            nearest = least(nearest, s->row[x - s->x]);
-        s->row[x] = least(s->row[x], (uint8_t)(nearest + 1));
+    const int size[3] = {grid->size[0], grid->size[1], grid->size[2]};
+    const ptrdiff_t stride[3] = {1, size[0], (ptrdiff_t)size[0] * size[1]}, cells = stride[2] * size[2];
+    ptrdiff_t step[3];
+    bool ahead[3];
+
+    for (int i = 0; i < 3; i++)
+        step[i] = octant >> i & 1 ? -stride[i] : stride[i];
+    for (ptrdiff_t k = 0; k < cells; k++) {
+        ptrdiff_t at = 0;
+        for (int i = 0; i < 3; i++) {
+            ptrdiff_t n = k / stride[i] % size[i]; /* cells from here to the end, along the octant */
+            ahead[i] = n > 0;
+            at += (octant >> i & 1 ? n : size[i] - 1 - n) * stride[i];
+        }
+        uint8_t least = least_beside(to + at, step, ahead);
+        to[at] = grid->cells[at] ? 0 : (uint8_t)(least < SURE_GRID_FAR ? least + 1 : SURE_GRID_FAR);
     }
 }
 
-/* Two sweeps give exact distances, as each cell at the distance n has a neighbour at n - 1 that is nearer along all
- * axes along which the cell is n away. */
 void tia_sure_set_empty(uint8_t *to, const struct tia_grid *grid)
 {
-    const int across = grid->size[0], high = grid->size[1], deep = grid->size[2];
-    const size_t layer = (size_t)across * (size_t)high;
-    uint8_t near[TIA_GRID_MAX + 2];
-
-    for (size_t i = 0; i < layer * (size_t)deep; i++)
-        to[i] = grid->cells[i] ? 0 : SURE_GRID_FAR;
-    for (int back = 0; back < 2; back++)
-        for (int k = 0; k < high * deep; k++) {
-            int row = back ? high * deep - 1 - k : k, y = row % high, z = row / high, step = back ? 1 : -1;
-            struct sweep s = {.row = to + (size_t)row * (size_t)across, .count = across, .x = -step};
-            if (y + step >= 0 && y + step < high)
-                s.before[s.rows++] = s.row + step * across;
-            for (int i = -1; i <= 1 && z + step >= 0 && z + step < deep; i++)
-                if (y + i >= 0 && y + i < high)
-                    s.before[s.rows++] = s.row + (step * high + i) * across;
-            sweep_row(&s, near);
-        }
+    for (unsigned octant = 0; octant < 8; octant++)
+        set_octant(to + (size_t)octant * sure_grid_cells(grid), grid, octant);
 }

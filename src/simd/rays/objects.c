@@ -119,7 +119,7 @@ static void set_instance(struct sure_instance *to, const struct instance *from)
     }
 }
 
-/* Sets a grid; its distances are the next ones at *empty. */
+/* Sets a grid; its cubes are the next ones at *empty. */
 static void set_grid(struct sure_object *o, struct sure_grid *to, const struct prepared_grid *from, uint8_t **empty)
 {
     uint32_t cells = sure_grid_cells(from->grid);
@@ -129,7 +129,7 @@ static void set_grid(struct sure_object *o, struct sure_grid *to, const struct p
     if (cells) {
         tia_sure_set_empty(*empty, from->grid);
         to->empty = *empty;
-        *empty += cells;
+        *empty += 8 * (size_t)cells;
     }
     o->kind = SURE_GRID;
     o->grid = to;

@@ -66,7 +66,7 @@ static uint64_t divide(struct room *room, const struct tia_scene *scene, uint32_
     }
     for (uint32_t i = 0; i < scene->shape_count; i++)
         if (scene->shapes[i].kind == TIA_GRID)
-            cells += sure_grid_cells(&scene->grids[scene->shapes[i].grid]);
+            cells += 8 * (uint64_t)sure_grid_cells(&scene->grids[scene->shapes[i].grid]);
     p->scene = take(room, 1, sizeof *p->scene);
     p->nodes = take(room, nodes, sizeof *p->nodes);
     if (has_wide(scene))
