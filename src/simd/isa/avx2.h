@@ -111,6 +111,7 @@ static inline Q q_ramp(uint64_t z, uint64_t step)
 typedef __m256d vd;
 typedef int64_t vi __attribute__((vector_size(32)));
 typedef __m256d vm;
+#define VBYTES(x) _mm256_cvtepi32_pd(_mm_cvtepu8_epi32(_mm_cvtsi32_si128((int)(x))))
 #define vset(x) _mm256_set1_pd(x)
 #define vsqrt(a) _mm256_sqrt_pd(a)
 #define vabs(a) _mm256_andnot_pd(_mm256_set1_pd(-0.0), a)

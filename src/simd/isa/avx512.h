@@ -127,10 +127,21 @@ typedef __mmask8 vm;
 #define mnot(a) _knot_mask8(a)
 #define mbits(m) ((unsigned)(m))
 #define mof(bits) ((vm)(bits))
+#define VRSQRT(a) d_rsqrt(a)
+#define VBYTES(x) _mm512_cvtepi32_pd(_mm256_cvtepu8_epi32(_mm_cvtsi64_si128((int64_t)(x))))
 #define VPACK(a, lanes) _mm512_maskz_compress_pd(mof(lanes), a)
 #define OF16(table, index)                                                                                             \
     (vu) _mm256_permutex2var_epi32(_mm256_loadu_si256((const void *)(table)), (__m256i)(index),                        \
                                    _mm256_loadu_si256((const void *)((table) + 8)))
+
+/* From an estimate within 2^-14, two Newton steps. */
+LANE_OP vd d_rsqrt(vd x)
+{
+    vd y = _mm512_rsqrt14_pd(x), half = x * vset(.5);
+
+    y = y * (vset(1.5) - half * y * y);
+    return y * (vset(1.5) - half * y * y);
+}
 
 typedef __m256 vb;
 #define vb_set(x) _mm256_set1_ps(x)

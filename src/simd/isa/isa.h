@@ -32,6 +32,8 @@
  *   vb               8 floats, with C's + - *, and vb_set vb_min vb_max vb_le, as for vp
  *
  * Optional, where the instruction set does this quickly:
+ *   VRSQRT(a)                 1/sqrt(a) within 8 u of itself, a being positive and far from the ends of the range
+ *   VBYTES(x)                 the lowest LANES bytes of a uint64_t, as numbers
  *   VPACK(a, lanes)           the chosen lanes, moved together to the first ones
  *   OF16(table, index)        table[index & 15] in each lane, as a vu of rays/random_tmpl.h; the table has 16 words
  *

@@ -64,6 +64,7 @@ static inline void i_pack(F r, F g, F b, uint16_t *out)
 typedef __m128d vd;
 typedef int64_t vi __attribute__((vector_size(16)));
 typedef __m128d vm;
+#define VBYTES(x) _mm_cvtepi32_pd(_mm_cvtepu8_epi32(_mm_cvtsi32_si128((int)(x))))
 #define vset(x) _mm_set1_pd(x)
 #define vsqrt(a) _mm_sqrt_pd(a)
 #define vabs(a) _mm_andnot_pd(_mm_set1_pd(-0.0), a)

@@ -6,18 +6,25 @@
  * |o|)/|d| for A, 3 u of the grid's size over |d| for n B, and u |t| for the sum. grid_ray_tmpl.h allows 4 u of each,
  * so that `base` and `slope` are the same as there. `off` is the largest such error while the ray is in the grid.
  *
+ * In a corner of an empty cube, a ray leaps to the first plane at which it leaves the cube, and so past as many planes
+ * or more at once. Along the other axes it is then between the planes floor(u) and floor(u) + 1, u = (t - A)/B, if u is
+ * certainly no integer; else it steps once. A plane's time depends on the plane alone, so that the cell does not depend
+ * on the way to it.
+ *
  * A ray leaves the packet if it hardly moves along an axis, if it enters too close to an edge, or if the order of two
  * planes is undecided. grid_ray_tmpl.h continues its walk from there. */
 #ifndef TIA_SIMD_RAYS_GRID_TMPL_H
 #define TIA_SIMD_RAYS_GRID_TMPL_H
 
+#include "bytes_tmpl.h"
 #include "grid_ray_tmpl.h"
 
 struct grid_axis {
     vd a, b, base, slope;
+    vd ahead, inverse;          /* |B|, 1/|B| */
     vd step, last, stride, end; /* step: 1 or -1; last: number of the last cell; stride: distance in memory to the next
-                                   cell along the ray; end: number of the plane at which the ray leaves */
-    vd cell, plane;             /* numbers of the first cell and of the next plane */
+                                   cell along the ray; end: the plane at which the ray leaves */
+    vd cell, plane;             /* number of the first cell; the next plane. Planes' numbers are times `step` here. */
     vm back;
 };
 
@@ -26,6 +33,8 @@ struct grid_walk {
     struct grid_axis axis[3];
     vd index;                   /* index of the cell in memory */
     vd off;                     /* largest error of a plane's time, along any axis */
+    vd octant;                  /* where the cubes of the ray's octant are */
+    vd beyond;                  /* number of cells behind this one that are in an empty cube; 0: take a step */
     uint64_t here;              /* content of the cell, a byte for each lane */
     uint64_t live;              /* 255 in the bytes of walking lanes */
     vm walking, alone, started; /* alone: continued by grid_ray_tmpl.h, from the current cell if they are `started` */
@@ -53,6 +62,8 @@ LANE_OP vm set_grid_axis(struct grid_axis *x, const struct packet *p, const stru
     x->back = vlt(d, vset(0));
     x->a = (vset(grid->corner[i]) - o) * inverse;
     x->b = vset(grid->edge) * inverse;
+    x->ahead = vabs(x->b);
+    x->inverse = size * vset(1 / grid->edge);
     x->base = BOUND_OF(GRID_BASE, (p->eo + round) * over) + BOUND(QUOTIENT_UNIT);
     x->slope = BOUND_OF(GRID_SLOPE, (p->ed + BOUND(GRID_TIME)) * over);
     x->step = vsel(x->back, vset(-1), vset(1));
@@ -110,37 +121,22 @@ LANE_OP vm enter_grids(struct grid_walk *g, vm lanes, vd limit, struct grid_entr
     return mand(lanes, clear);
 }
 
-/* Returns the contents of the lanes' cells, a byte for each lane. */
+/* Returns the contents of cells. */
 LANE_OP uint64_t grid_contents(const struct grid_walk *g, vd index)
 {
-    const uint8_t *cells = g->grid->from->cells;
-    int64_t at[LANES];
-    vi bits = as_integers(index + vset(4503599627370496.0)); /* adding 2^52 moves the integer to the low bits */
-    uint64_t content = 0;
-
-    __builtin_memcpy(at, &bits, sizeof at);
-    for (int k = 0; k < LANES; k++)
-        content |= (uint64_t)cells[(uint32_t)at[k]] << 8 * k;
-    return content;
+    return grid_bytes(g->grid->from->cells, index);
 }
 
-LANE_OP uint64_t bytes_of_lanes(unsigned lanes)
+/* Returns the cubes of cells, a byte for each lane. */
+LANE_OP uint64_t grid_cubes(const struct grid_walk *g, vd index)
 {
-    uint64_t bytes = 0;
-
-    for (int k = 0; k < LANES; k++)
-        bytes |= (uint64_t)(lanes >> k & 1 ? 255 : 0) << 8 * k;
-    return bytes;
+    return grid_bytes(g->grid->empty, index + g->octant);
 }
 
-/* Returns the lanes whose byte is not 0. */
-LANE_OP unsigned lanes_of_bytes(uint64_t bytes)
+/* Returns the numbers of cells behind the corners of cubes. */
+LANE_OP vd behind_corners(uint64_t cubes)
 {
-    unsigned lanes = 0;
-
-    for (int k = 0; k < LANES; k++)
-        lanes |= (unsigned)((bytes >> 8 * k & 255) != 0) << k;
-    return lanes;
+    return vmax(numbers_of_bytes(cubes) - 1, vset(0));
 }
 
 /* Records the hits of rays that pass a plane at t into different content. A hit at t <= e may be behind the origin, so
@@ -162,23 +158,26 @@ LANE_OP void start_grids(struct grid_walk *g, const struct packet *p, vm lanes, 
     const vd o[3] = {p->o.x, p->o.y, p->o.z}, d[3] = {p->d.x, p->d.y, p->d.z};
     const vm enters[3] = {mand(entry->first, mnot(entry->inside)), mand(entry->second, mnot(entry->inside)),
                           mnot(mor(entry->inside, mor(entry->first, entry->second)))};
+    const double cells = (double)g->grid->from->size[0] * g->grid->from->size[1] * g->grid->from->size[2];
     vd at = vsel(entry->inside, vset(0), entry->in), slack = vsel(entry->inside, vset(0), entry->ein);
     vm clear = lanes;
 
-    g->index = vset(0);
+    g->index = g->octant = vset(0);
     for (int i = 0; i < 3; i++) {
         struct grid_axis *x = &g->axis[i];
         vd off = BOUND_OF(GRID_PLACE, p->eo + at * p->ed + slack) + (vabs(o[i]) + at) * BOUND(GRID_PLACE_ROUNDING) +
                  BOUND(GRID_PLACE_UNITS);
         clear = mand(clear, mor(enters[i], grid_cell(x, g->grid, i, o[i] + at * d[i], off)));
         x->cell = vsel(enters[i], vsel(x->back, x->last, vset(0)), x->cell);
-        x->plane = x->cell + vsel(x->back, vset(0), vset(1));
+        x->plane = vsel(x->back, -x->cell, x->cell + 1);
         x->end = vsel(x->back, vset(0), x->last + 1);
         g->index = g->index + x->cell * (x->stride * x->step);
+        g->octant = g->octant + vsel(x->back, vset((double)(1 << i) * cells), vset(0));
     }
     g->alone = mor(g->alone, mand(lanes, mnot(clear)));
     g->index = vsel(clear, g->index, vset(0));
     g->here = grid_contents(g, g->index);
+    g->beyond = g->grid->empty ? behind_corners(grid_cubes(g, g->index)) : vset(0);
     vm hit = mand(mof(lanes_of_bytes(g->here)), mand(clear, mnot(entry->inside)));
     vm back =
         mor(mor(mand(enters[0], g->axis[0].back), mand(enters[1], g->axis[1].back)), mand(enters[2], g->axis[2].back));
@@ -198,11 +197,12 @@ struct grid_step {
 };
 
 /* Ends the walks that meet different content, leave the grid, pass the limit, or continue in grid_ray_tmpl.h. */
-static __attribute__((noinline)) void end_grids(struct grid_walk *g, const struct grid_step *s)
+static __attribute__((noinline)) void end_grids(struct grid_walk *g, const struct grid_step *s, vm stays)
 {
     struct grid_axis *x = g->axis;
     unsigned here = lanes_of_bytes(g->here), went = mbits(g->walking) & ~mbits(mor(mor(s->open, s->over), s->out));
-    unsigned other = lanes_of_bytes(s->differs) & went, into = other & lanes_of_bytes(g->here ^ s->differs);
+    unsigned other = lanes_of_bytes(s->differs) & went & ~mbits(stays),
+             into = other & lanes_of_bytes(g->here ^ s->differs);
     unsigned outside = mbits(s->out) & mbits(g->walking) & ~mbits(mor(s->open, s->over)),
              hit = other | (outside & here);
 
@@ -221,37 +221,84 @@ static __attribute__((noinline)) void end_grids(struct grid_walk *g, const struc
     grid_hit(g, mof(hit), s->at, e, 6 * vsel(mof(into), s->to, s->from) + side);
 }
 
-/* Takes a step. m is the time of the next plane, and `after` that of the plane after it; if they are no more than 2
- * `off` apart, their order is undecided. A ray's way through the grid does not depend on the contents of cells: so all
- * rays step first, and end_grids() then ends the walks of those that have met different content. */
-LANE_OP void step_grids(struct grid_walk *g, vd limit)
+/* Returns the plane that follows the time m along an axis that a ray does not leave the cube along. Clears *certain
+ * in the lanes where another plane may. */
+LANE_OP vd plane_after(const struct grid_axis *x, vd m, vd off, vm *certain)
+{
+    vd u = (m - x->a) * x->inverse, low = vfloor(u), in = u - low;
+    vd e = BOUND_OF(GRID_LEAP, 2 * off * x->inverse) + (vabs(m) + vabs(x->a)) * x->inverse * BOUND(GRID_LEAP_ROUNDING);
+
+    *certain = mand(*certain, mand(vlt(e, in), vlt(in + e, vset(1))));
+    return low + 1;
+}
+
+/* Sets what is beyond the cells that the lanes `go` have reached; lanes that neither step nor leap step next.
+ * Returns the bits in which the content of these cells differs. */
+LANE_OP uint64_t arrive(struct grid_walk *g, vm go, vd to)
+{
+    vd index = vsel(go, to, vset(0));
+    uint64_t empty;
+
+    if (!g->grid->empty)
+        return grid_contents(g, index) ^ g->here;
+    empty = grid_cubes(g, index);
+    g->beyond = vsel(go, behind_corners(empty), vset(0));
+    if ((g->here & g->live) == 0 && !any_empty_byte(empty, g->live))
+        return 0;
+    return grid_contents(g, index) ^ g->here;
+}
+
+/* Takes a step, or `leaps`. m is the time of the next plane, and `after` that of the plane after it; if they are no
+ * more than 2 `off` apart, their order is undecided. A ray's way through the grid does not depend on the contents of
+ * cells: so all rays step first, and end_grids() then ends the walks of those that have met different content. */
+LANE_OP void step_or_leap(struct grid_walk *g, vd limit, bool leaps)
 {
     struct grid_axis *x = g->axis;
     struct grid_step s;
-    vd t[3];
+    vd t[3], plane[3];
 
-    for (int i = 0; i < 3; i++)
-        t[i] = x[i].a + x[i].plane * x[i].b;
+    for (int i = 0; i < 3; i++) {
+        plane[i] = leaps ? vmin(x[i].plane + g->beyond, x[i].end) : x[i].plane;
+        t[i] = x[i].a + plane[i] * x[i].ahead;
+    }
     vd less = vmin(t[0], t[1]), more = vmax(t[0], t[1]), m = vmin(less, t[2]), after = vmax(less, vmin(more, t[2]));
     s.at = m;
     s.first = vle(t[0], m);
     s.second = mand(mnot(s.first), vle(t[1], m));
-    vm third = mnot(mor(s.first, s.second));
-    s.open = vle(after - m, BOUND_OF(GRID_ORDER, 2 * g->off));
+    vm third = mnot(mor(s.first, s.second)), far = leaps ? vlt(vset(0), g->beyond) : mnone(), stays = mnone();
+    const vm along[3] = {s.first, s.second, third};
+    s.open = mand(vle(after - m, BOUND_OF(GRID_ORDER, 2 * g->off)), mnot(far));
     s.over = mand(mnot(s.open), vlt(limit, m - g->off));
-    vd plane = of_axis(s.first, s.second, x[0].plane, x[1].plane, x[2].plane);
-    vd end = of_axis(s.first, s.second, x[0].end, x[1].end, x[2].end);
-    s.out = mand(vle(plane, end), vle(end, plane));
-    vm go = mand(g->walking, mnot(mor(mor(s.open, s.over), s.out)));
-    s.from = g->index;
-    s.to = g->index + of_axis(s.first, s.second, x[0].stride, x[1].stride, x[2].stride);
+    for (int i = 0; i < 3; i++) {
+        vm certain = mnot(mnone());
+        vd next = leaps ? vsel(far, plane_after(&x[i], m, g->off, &certain), x[i].plane) : x[i].plane;
+        stays = mor(stays, mand(mand(far, mnot(along[i])), mnot(certain)));
+        plane[i] = vsel(along[i], plane[i], next);
+    }
+    vd last = of_axis(s.first, s.second, plane[0], plane[1], plane[2]);
+    s.out = mand(mnot(stays), vle(of_axis(s.first, s.second, x[0].end, x[1].end, x[2].end), last));
+    vm go = mand(g->walking, mnot(mor(mor(s.open, s.over), mor(s.out, stays))));
+    s.from = s.to = g->index;
+    for (int i = 0; i < 3; i++) {
+        plane[i] = plane[i] + vsel(along[i], vset(1), vset(0));
+        s.to = s.to + (plane[i] - x[i].plane) * x[i].stride;
+        x[i].plane = vsel(go, plane[i], x[i].plane);
+    }
     g->index = vsel(go, s.to, g->index);
-    s.differs = (grid_contents(g, vsel(go, s.to, vset(0))) ^ g->here);
-    x[0].plane = vsel(mand(s.first, go), x[0].plane + x[0].step, x[0].plane);
-    x[1].plane = vsel(mand(s.second, go), x[1].plane + x[1].step, x[1].plane);
-    x[2].plane = vsel(mand(third, go), x[2].plane + x[2].step, x[2].plane);
-    if (mbits(go) != mbits(g->walking) || s.differs & g->live)
-        end_grids(g, &s);
+    s.differs = arrive(g, go, s.to);
+    unsigned ended = mbits(g->walking) & ~(mbits(go) | (mbits(stays) & ~mbits(s.over)));
+    if (ended || s.differs & g->live)
+        end_grids(g, &s, stays);
+}
+
+static void step_grids(struct grid_walk *g, vd limit)
+{
+    step_or_leap(g, limit, false);
+}
+
+static void leap_grids(struct grid_walk *g, vd limit)
+{
+    step_or_leap(g, limit, true);
 }
 
 /* Continues the walk of a single lane to its end. */
@@ -270,7 +317,7 @@ static void walk_alone(struct grid_walk *g, const struct query *q, int k)
     }
     for (int i = 0; i < 3 && started; i++) {
         (void)set_axis(&w, i);
-        w.at[i] = (int)lane_of(g->axis[i].plane, k) - (w.d[i] < 0 ? 0 : 1);
+        w.at[i] = (int)lane_of(g->axis[i].plane * g->axis[i].step, k) - (w.d[i] < 0 ? 0 : 1);
     }
     if (started || start_walk(&w)) {
         w.here = cell_at(&w, w.at);
@@ -307,7 +354,10 @@ static __attribute__((noinline)) void meet_grid(struct query *q, const struct su
     if (any(enter)) {
         start_grids(g, p, enter, &entry);
         while (any(g->walking))
-            step_grids(g, q->limit);
+            if (any(vlt(vset(0), g->beyond)))
+                leap_grids(g, q->limit);
+            else
+                step_grids(g, q->limit);
     }
     for (int k = 0; mbits(g->alone) >> k; k++)
         if (mbits(g->alone) >> k & 1)

@@ -4,9 +4,10 @@
 #ifndef TIA_SIMD_RAYS_LIGHT_TMPL_H
 #define TIA_SIMD_RAYS_LIGHT_TMPL_H
 
-#include "power_tmpl.h"
-#include "sample_tmpl.h"
+#include "area_sum_tmpl.h"
 #include "spread_tmpl.h"
+
+#define AREA_FEW (LANES / 4)
 
 /* Aims the shadow ray, from outside the surface to the sample. Its vector is that of the sample, less b G, so its error
  * is that of the sample's vector, b eg, and roundings. */
@@ -79,6 +80,9 @@ struct lit {
 struct light_room {
     struct room room;
     struct aim aim, there;
+    struct area area;
+    struct shaft shaft;
+    struct area_sum area_sum;
     struct sample sample;
     struct shadow shadow;
     struct shade point;
@@ -257,6 +261,61 @@ LANE_OP bool each_by_itself(const struct sure_light *l, unsigned lanes, bool apa
            (apart ? 4 * packets <= 5 * n : 2 * packets <= n);
 }
 
+/* Adds the sums over an area light's samples, as reflect_light() and add_reflected() do for one. */
+LANE_OP void add_area_sum(const struct area *a, const struct shade *h, vm lanes, struct lit *sum)
+{
+    const struct area_sum *of = &sum->room->area_sum;
+    const struct sure_light *l = a->light;
+    double part = 1.0 / l->from->samples;
+    vd el = BOUND_OF(LAMBERT, h->en + a->eto + BOUND(COSINE)) + BOUND(AREA_COSINE);
+    vd e = BOUND_OF(DIFFUSE, most3(h->colour) * el + BOUND_OF(DIFFUSE_TEXTURE, h->ecolour));
+
+    e = e * of->count + most3(h->specular) * of->eshine;
+    e = BOUND_OF(SAMPLE_LIGHT, e + 2 * BOUND(THROUGH_UNIT) * of->filters) + of->count * BOUND(SAMPLE_SUM);
+    e = e * (l->brightest * part) + of->count * BOUND(SAMPLE_SUM);
+    lanes = mand(lanes, mnot(of->unsure));
+    sum->unsure = mor(sum->unsure, of->unsure);
+    for (int c = 0; c < 3; c++) {
+        vd rgb = h->colour[c] * of->lambert[c] + h->specular[c] * of->shine[c];
+        sum->own[c] = sum->own[c] + vsel(lanes, rgb * (l->emission[c] * part), vset(0));
+    }
+    sum->eown = sum->eown + vsel(lanes, e, vset(0));
+}
+
+/* Adds an area light to the lanes where it can be taken as a whole; returns the others. Lanes of which others' rays are
+ * to be traced are left as well if they are few: single points then take fewer packets. */
+static unsigned add_area(const struct sure_scene *s, const struct sure_light *l, const struct aim *aim,
+                         const struct shade *h, unsigned lanes, const uint8_t class[LANES], struct lit *sum)
+{
+    struct light_room *room = sum->room;
+    struct shaft *f = &room->shaft;
+    unsigned others = 0;
+
+    if (!tia_light_has(l->from->kind, TIA_LIGHT_AREA) || tia_light_has(l->from->kind, TIA_LIGHT_CONE) ||
+        l->from->fades || !l->place)
+        return lanes;
+    set_area(l, aim, h, &room->area);
+    lanes &= ~mbits(turned_away(&room->area, h));
+    if (!lanes)
+        return 0;
+    f->area = &room->area;
+    f->shade = h;
+    find_shaft(s, &room->room, lanes, f);
+    (void)cancelled(sum->cancel, f->work + l->from->samples);
+    for (int i = 0; i < f->others; i++)
+        others |= f->other[i].lanes & f->lanes & ~f->rest;
+    if (__builtin_popcount(others) <= AREA_FEW)
+        f->rest |= others;
+    if (!(f->lanes & ~f->rest))
+        return f->rest;
+    if (f->balls || f->others)
+        sum_blocked(s, f, &room->shadow, class, &room->area_sum);
+    else
+        sum_clear(s, f, class, &room->area_sum);
+    add_area_sum(&room->area, h, mof(f->lanes & ~f->rest), sum);
+    return f->rest;
+}
+
 static void add_light(const struct sure_scene *s, uint32_t n, const struct shade *h, vm lanes, bool apart,
                       const uint8_t class[LANES], uint32_t *blocker, struct lit *sum)
 {
@@ -278,10 +337,13 @@ static void add_light(const struct sure_scene *s, uint32_t n, const struct shade
         return;
     }
     unsigned left = mbits(mand(lanes, mnot(sum->unsure)));
+    left = add_area(s, l, aim, h, left, class, sum);
+    if (!left)
+        return;
     if (each_by_itself(l, left, apart))
         add_points(s, l, aim, h, left, class, blocker, sum);
     else
-        add_samples(s, l, aim, h, lanes, class, blocker, sum);
+        add_samples(s, l, aim, h, mof(left), class, blocker, sum);
 }
 
 #endif

@@ -1,4 +1,5 @@
 /* objects.c - conversion of spheres and shapes to double precision. */
+#include "grids.h"
 #include "scene/colour.h"
 #include "sure.h"
 
@@ -118,7 +119,23 @@ static void set_instance(struct sure_instance *to, const struct instance *from)
     }
 }
 
-static void set_shape(struct sure_scene *s, uint32_t i, const struct sure_places *p)
+/* Sets a grid; its cubes are the next ones at *empty. */
+static void set_grid(struct sure_object *o, struct sure_grid *to, const struct prepared_grid *from, uint8_t **empty)
+{
+    uint32_t cells = sure_grid_cells(from->grid);
+
+    *to = (struct sure_grid){.from = from->grid, .edge = sure_length(from->cell)};
+    sure_point(to->corner, from->corner);
+    if (cells) {
+        tia_sure_set_empty(*empty, from->grid);
+        to->empty = *empty;
+        *empty += 8 * (size_t)cells;
+    }
+    o->kind = SURE_GRID;
+    o->grid = to;
+}
+
+static void set_shape(struct sure_scene *s, uint32_t i, const struct sure_places *p, uint8_t **empty)
 {
     const struct tia_scene *scene = s->view->scene;
     const struct tia_shape *given = &scene->shapes[i];
@@ -128,12 +145,8 @@ static void set_shape(struct sure_scene *s, uint32_t i, const struct sure_places
 
     *o = (struct sure_object){.kind = SURE_UNKNOWN, .material = given->material};
     set_kind(s, o, given, shape, &p->rounds[i], &p->faces[i]);
-    if (given->kind == TIA_GRID) {
-        p->grids[i] = (struct sure_grid){.from = shape->grid.grid, .edge = sure_length(shape->grid.cell)};
-        sure_point(p->grids[i].corner, shape->grid.corner);
-        o->kind = SURE_GRID;
-        o->grid = &p->grids[i];
-    }
+    if (given->kind == TIA_GRID)
+        set_grid(o, &p->grids[i], &shape->grid, empty);
     if (shape->instance) {
         set_instance(&p->instances[i], shape->instance);
         o->placed = &p->instances[i];
@@ -153,6 +166,7 @@ void tia_sure_set_objects(struct sure_scene *s, const struct sure_places *places
 {
     const struct tia_scene *scene = s->view->scene;
     static const struct tia_fine_sphere none;
+    uint8_t *empty = places->empty;
 
     for (uint32_t i = 0; i < scene->sphere_count; i++) {
         const struct tia_sphere *given = &scene->spheres[i];
@@ -165,5 +179,5 @@ void tia_sure_set_objects(struct sure_scene *s, const struct sure_places *places
         set_filter(o, scene, scene->materials[given->material].opacity, false);
     }
     for (uint32_t i = 0; i < scene->shape_count; i++)
-        set_shape(s, i, places);
+        set_shape(s, i, places, &empty);
 }

@@ -133,6 +133,7 @@ struct sure_instance {
 
 struct sure_grid {
     const struct tia_grid *from;
+    const uint8_t *empty; /* for each octant and each cell, the edge of an empty cube; NULL: not known */
     double corner[3], edge;
 };
 
@@ -348,6 +349,7 @@ struct sure_places {
     struct sure_round *rounds;
     struct sure_face *faces; /* one for each shape */
     struct sure_grid *grids;
+    uint8_t *empty; /* cubes of all grids that have them, one grid after the other */
     struct sure_instance *instances;
 };
 

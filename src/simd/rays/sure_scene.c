@@ -1,6 +1,7 @@
 /* sure_scene.c - conversion of the fixed-point scene to double precision. */
 #include <tia/motion.h>
 
+#include "grids.h"
 #include "render/geometry/triangle.h"
 #include "scene/bvh/tree.h"
 #include "scene/colour.h"
@@ -55,7 +56,7 @@ static uint64_t divide(struct room *room, const struct tia_scene *scene, uint32_
 {
     uint64_t objects = (uint64_t)scene->sphere_count + scene->shape_count, faces = 0, pairs = 0, normals = 0;
     uint64_t nodes = SURE_NODES(tia_scene_moves(scene) ? TREE_NODES(objects) : scene->bvh->objects.node_count);
-    uint64_t top = nodes;
+    uint64_t top = nodes, cells = 0;
 
     for (uint32_t i = 0; i < scene->mesh_count; i++) {
         nodes += SURE_NODES((uint64_t)scene->bvh->meshes[i].node_count);
@@ -63,6 +64,9 @@ static uint64_t divide(struct room *room, const struct tia_scene *scene, uint32_
         normals += scene->meshes[i].normal_count;
         pairs += SURE_PAIRS((uint64_t)scene->bvh->meshes[i].item_count, scene->bvh->meshes[i].node_count);
     }
+    for (uint32_t i = 0; i < scene->shape_count; i++)
+        if (scene->shapes[i].kind == TIA_GRID)
+            cells += 8 * (uint64_t)sure_grid_cells(&scene->grids[scene->shapes[i].grid]);
     p->scene = take(room, 1, sizeof *p->scene);
     p->nodes = take(room, nodes, sizeof *p->nodes);
     if (has_wide(scene))
@@ -75,6 +79,7 @@ static uint64_t divide(struct room *room, const struct tia_scene *scene, uint32_
     p->of.faces = take(room, scene->shape_count, sizeof *p->of.faces);
     p->of.rounds = take(room, scene->shape_count, sizeof *p->of.rounds);
     p->of.grids = take(room, scene->shape_count, sizeof *p->of.grids);
+    p->of.empty = take(room, cells, 1);
     p->of.instances = take(room, scene->shape_count, sizeof *p->of.instances);
     p->materials = take(room, scene->material_count, sizeof *p->materials);
     p->lights = take(room, light_capacity, sizeof *p->lights);

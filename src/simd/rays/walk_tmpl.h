@@ -2,8 +2,8 @@
  * and a light.
  *
  * Parameters: the doubles and pairs of floats of isa/isa.h, the hooks of sure_check.h. Defines: find_nearest(),
- * begin_nearest(), end_nearest(), find_shadow(), meet_one(), meet_unbounded(), meet_light(), struct shadow, struct
- * room, LIGHT_ID.
+ * begin_nearest(), end_nearest(), find_shadow(), begin_any(), end_any(), begin_lines(), meet_one(), meet_unbounded(),
+ * meet_light(), struct shadow, struct room, LIGHT_ID.
  *
  * A packet enters a node if any active lane does. */
 #ifndef TIA_SIMD_RAYS_WALK_TMPL_H
@@ -114,13 +114,19 @@ LANE_OP void meet_unknown(struct query *q, vd near)
                                       .element = vset(0)});
 }
 
+/* Sets the rays as lines relative to a mesh, after begin_object(). */
+LANE_OP void begin_lines(struct query *q, const struct sure_tree *mesh)
+{
+    lines_of(&q->room->lines, q->p, mesh);
+    q->room->lines.starts = mbits(starts_here(q));
+    q->lines = &q->room->lines;
+}
+
 LANE_OP void meet_mesh(const struct sure_scene *s, const struct sure_object *o, struct query *q)
 {
     if (o->mesh->level && !any(mand(q->active, mnot(leaves_level(q, o->mesh)))))
         return;
-    lines_of(&q->room->lines, q->p, o->mesh);
-    q->room->lines.starts = mbits(starts_here(q));
-    q->lines = &q->room->lines;
+    begin_lines(q, o->mesh);
     walk_faces(s, o->mesh, q);
 }
 
@@ -319,22 +325,15 @@ static void find_nearest(const struct sure_scene *s, struct room *room, struct q
     end_nearest(q, wild);
 }
 
-/* Traces shadow rays. *blocker, unless it is TIA_NO_OBJECT, is tested first; it receives the last object that blocked a
- * ray. */
-static void find_shadow(const struct sure_scene *s, struct room *room, struct shadow *shadow, vm active,
-                        uint32_t *blocker)
+/* Begins a search for any hit between the origins and the distances of shadow rays, without its active lanes. */
+LANE_OP void begin_any(struct query *q, struct room *room, const struct shadow *shadow, uint32_t blocker)
 {
-    vm fine = packet_start(s->centre, s->extent, &shadow->p, active);
-    struct query *q = &room->any; /* large, so it is set field by field; fields of the nearest hit stay unused */
-
-    check_shadow(mbits(active));
-    q->p = &shadow->p;
+    q->p = &shadow->p; /* a query is large, so it is set field by field; fields of the nearest hit stay unused */
     q->room = room;
-    q->work = SURE_PACKET + s->unbounded_count;
-    q->active = mand(active, fine);
+    q->work = 0;
     q->any = true;
     q->solid = false;
-    q->blocker = q->tested = *blocker;
+    q->blocker = q->tested = blocker;
     q->groups = NULL;
     q->group = 0;
     q->distance = shadow->distance;
@@ -344,6 +343,30 @@ static void find_shadow(const struct sure_scene *s, struct room *room, struct sh
     q->ethrough = vset(0);
     for (int c = 0; c < 3; c++)
         q->through[c] = vset(1);
+}
+
+LANE_OP void end_any(const struct query *q, struct shadow *shadow)
+{
+    shadow->work = q->work;
+    shadow->ethrough = q->ethrough;
+    shadow->blocked = q->blocked;
+    shadow->unsure = mand(q->maybe, mnot(q->blocked));
+    for (int c = 0; c < 3; c++)
+        shadow->through[c] = q->through[c];
+}
+
+/* Traces shadow rays. *blocker, unless it is TIA_NO_OBJECT, is tested first; it receives the last object that blocked a
+ * ray. */
+static void find_shadow(const struct sure_scene *s, struct room *room, struct shadow *shadow, vm active,
+                        uint32_t *blocker)
+{
+    vm fine = packet_start(s->centre, s->extent, &shadow->p, active);
+    struct query *q = &room->any;
+
+    check_shadow(mbits(active));
+    begin_any(q, room, shadow, *blocker);
+    q->work = SURE_PACKET + s->unbounded_count;
+    q->active = mand(active, fine);
     if (*blocker != TIA_NO_OBJECT)
         meet_one(s, *blocker, q);
     if (any(q->active))
@@ -351,12 +374,8 @@ static void find_shadow(const struct sure_scene *s, struct room *room, struct sh
     if (any(q->active))
         walk_objects(s, q);
     *blocker = q->blocker;
-    shadow->work = q->work;
-    shadow->ethrough = q->ethrough;
-    shadow->blocked = q->blocked;
-    shadow->unsure = mor(mand(q->maybe, mnot(q->blocked)), mand(active, mnot(fine)));
-    for (int c = 0; c < 3; c++)
-        shadow->through[c] = q->through[c];
+    end_any(q, shadow);
+    shadow->unsure = mor(shadow->unsure, mand(active, mnot(fine)));
 }
 
 #endif

@@ -177,6 +177,90 @@ FORMULA(SAMPLE_FALLOFF_MORE);
  * Unseen: small. */
 #define BOUND_THROUGH_UNIT SURE_UNIT
 
+/* ---- area lights as a whole, see area_tmpl.h, area_sum_tmpl.h and the files of shafts ---- */
+
+/* The least distance of a light that is taken as a whole, in multiples of its reach R. A choice, on which AREA_COSINE
+ * and SHAFT_SQUARE depend. Unseen: choice. */
+#define BOUND_AREA_NEAR 2
+
+/* The least distance of such a light. A choice: quotients stay finite. Unseen: choice. */
+#define BOUND_AREA_LEAST P2M(30)
+
+/* The rounding of a cosine n.(W + x A + y B)/|W + x A + y B| in doubles. With R <= |W|/2, R being at least |x A + y B|
+ * and |x| |A| and |y| |B| at most R each, or sqrt 2 R together on a disc: the sizes of the numerator's terms add up to
+ * sqrt 3 1.71 |W|, and the divisor is |W|/2 or more, so 6 roundings are 36 u. The terms of the square add up to
+ * (1.71)^2 W^2, and the square is W^2/4 or more; its 6 roundings are 72 u, 36 u of the root. The inverse root adds 8 u,
+ * the product u. A mirrored V in place of n has the length 1 but for its own error. Needed: 81 of 256 u. Unseen: small.
+ * */
+#define BOUND_AREA_COSINE P2M(45)
+
+/* The least cosine of a shadow ray to G, over which it certainly leaves the surface, as LEAVING. Here it is taken from
+ * the height of the sample over O and its distance from P, which is half of that from O or more. The error of ABOVE is
+ * half as large, and the least value. Unseen: small. */
+FORMULA(AREA_LEAVING);
+
+/* The error of a highlight that is left out: 2^-24, and the roundings of x = 2^(-24/n), the least R.L that may have
+ * more, and of x^n. Needed: 1.001 of 2 times 2^-24. Unseen: small. */
+#define BOUND_AREA_FAINT P2M(23)
+
+/* The largest distance of the fixed-point shadow ray from the segment O S: the errors of O and of S - O. */
+FORMULA(SHAFT_APART);
+
+/* The rounding of S - O, of its direction and of the ray's length, relative to |S - O|. In doubles: 4 u for S - O. In
+ * fixed point: 2^-58 of the direction, and 8.1 u of DISTANCE_ROUNDING. Needed: 13 of 32 u. Unseen: small. */
+#define BOUND_SHAFT_ROUNDING P2M(48)
+
+/* The rounding of a point on the fixed-point ray and of its length: POINT_UNITS and LENGTH_UNIT. Needed: 3 of 4 U.
+ * Unseen: small. */
+#define BOUND_SHAFT_UNITS (4 * SURE_UNIT)
+
+/* SHAFT_APART in the axes of an instance: the error of O there, that of the direction over the length of the segment,
+ * and SHAFT_APART over the least scale for the ray's end. The second is taken twice, for the length k of directions.
+ * Unseen: small. */
+FORMULA(SHAFT_PLACED);
+
+/* The error of heights over a plane: SHAFT_APART and the roundings as in PLANE_BEHIND, for both ends. */
+FORMULA(SHAFT_PLANE);
+
+/* The rounding in doubles of the numbers by which a shaft is compared with a ball: (C - O)^2, (C - O).V, V^2 and R^2,
+ * relative to |C - O|1^2 + |V|1^2. Each has three products, two sums, and 4 u of its vectors; they are multiplied by s
+ * <= 1, 2 s and s^2. A discriminant has two products more. Needed: 40 of 512 u. Unseen: small. */
+#define BOUND_SHAFT_SQUARE P2M(44)
+
+/* The relative margin of comparisons of products, and of a tube's distances: b b with a c, which are 4 u off; factors'
+ * own errors are covered by SHAFT_SQUARE. The sizes of a triple product add up to |Q - O|1 |V|1, and it is 8 u off.
+ * Needed: 8 u of 2^13 u. Unseen: small. */
+#define BOUND_SHAFT_TOUCH P2M(40)
+
+/* The distance by which r' is larger than the root of r^2 and the error of the discriminant: the errors of the distance
+ * t of a hit, which are SHAFT_APART, the error of the direction over |C - O|, and the like for the ray's length. The
+ * error of the discriminant, which makes r' larger by as much, is added. Unseen: small. */
+FORMULA(SHAFT_BALL);
+
+/* The distance by which a ball or a tube around a shape is larger: twice SHAFT_APART, the roundings of the numbers by
+ * which it is compared, see SLABS_FLOATS, which is far larger, and SHAFT_SHAPE. */
+FORMULA(SHAFT_AROUND);
+
+/* The distance by which roundings move an intersection out of a shape: less than 2^-30, see slabs_tmpl.h. Needed: 1 of
+ * 4 times 2^-30. Unseen: small. */
+#define BOUND_SHAFT_SHAPE P2M(28)
+
+/* The relative margin of the square of a ray's distance from an axis. The error d of the triple product is 8 u of |Q -
+ * O|1 |V|1. t^2 is off by 2 |t| d + d^2, below 2^-20 t^2 + 2^21 d^2; the latter is 2^-79 of the squares' product, far
+ * less than SHAFT_SQUARE of it. Unseen: small. */
+#define BOUND_SHAFT_TUBE P2M(20)
+
+/* The constant part of the bound of a face's area over all samples: that of rays, times the length of the segment, and
+ * as much for |x A + y B|. Unseen: small. */
+FORMULA(SHAFT_PAIR_OFF);
+
+/* The part of this bound that grows with the face. That of directions and origins is as in PAIR_EDGE. The roundings of
+ * floats, v = 2^-24, are relative to M, c times far times the size of V and x A + y B: the sizes of the terms of a
+ * vector g add up to 2 M, g is off by 8 v M, and its product by 8 v M more. The third area has the errors of two such
+ * vectors, 10 v M for the difference, 20 v M for the product, and 8 v M for the sums of its range. Needed: 54 of 8
+ * times 25 v, PAIR_AREA being 25 v. Unseen: small. */
+FORMULA(SHAFT_PAIR);
+
 /* ---- mirrors and glass, see bounce_tmpl.h ---- */
 
 /* The factor of e/(a + b) in the error of a reflectance: 2 e/(a' + b'), a' + b' >= 15/16 (a + b), so 2.14. The rest

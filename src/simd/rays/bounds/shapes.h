@@ -306,6 +306,14 @@ FORMULA(GRID_LEVEL);
  * Unseen: small. */
 #define BOUND_GRID_LEVEL_UNITS (4 * SURE_UNIT)
 
+/* The error of u = (t - A)/B, the number of a plane at the time t of another: both times may be off by the largest error of
+ * a time, as in GRID_ORDER, over B. */
+FORMULA(GRID_LEAP);
+
+/* The rounding of u in doubles, relative to (|t| + |A|)/|B|: a difference, 2 u for the inverse of B, which is the product of
+ * two rounded numbers, and a product. Needed: 5 of 16 u. Unseen: small. */
+#define BOUND_GRID_LEAP_ROUNDING P2M(49)
+
 /* The largest difference between the times of two planes whose order is undecided: twice the largest error of a time.
  */
 FORMULA(GRID_ORDER);
