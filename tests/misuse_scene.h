@@ -20,7 +20,7 @@ static struct tia_scene misuse_scene;
 static struct tia_view *misuse_view;
 static struct tia_hits *misuse_hits;
 static uint64_t misuse_read_memory[1000], misuse_bvh_memory[1000], misuse_view_memory[4000], misuse_hits_memory[4000],
-    misuse_memory[40000];
+    misuse_memory[50000];
 static tia_rgb565 misuse_pixels[MISUSE_W * MISUSE_H];
 static const struct tia_surface misuse_surface = {.pixels = misuse_pixels, .step = 2, .pitch = 2 * MISUSE_W};
 static const struct tia_tile misuse_frame = {0, 0, MISUSE_W, MISUSE_H};

@@ -49,7 +49,7 @@ const struct tia_simd *tia_simd_at(unsigned index);
 
 /* Returns the number of bytes that the SIMD kernels need for a view of `scene`; 0 for NULL, SIZE_MAX when that number
  * does not fit. `workers` is the number of calls that may draw the view at the same time, each of which needs 100 to
- * 220 KB; plain C draws for calls beyond that number. 0 means 1. */
+ * 260 KB; plain C draws for calls beyond that number. 0 means 1. */
 size_t tia_simd_size(const struct tia_simd *simd, const struct tia_scene *scene, uint32_t light_capacity,
                      unsigned workers);
 
