@@ -36,12 +36,13 @@ Libs: -L$${libdir} -l$(1)$(4)
 Libs.private: $(3)
 
 endef
-# A static library that another one needs, and that needs it, stands twice.
+# A static library that another one needs, and that needs it, stands twice. The file is written before the recipe runs,
+# perhaps before anything else is built.
 $(BUILD)/tia.pc: install.mk include/tia/tia.h FORCE
-	$(file >$@,$(call PC,tia,integer-only ray tracer,$(if $(BARE),,-ltia-simd -ltia -lm)))@:
+	$(shell mkdir -p $(@D))$(file >$@,$(call PC,tia,integer-only ray tracer,$(if $(BARE),,-ltia-simd -ltia -lm)))@:
 # It is static, and needs more of the core than libtia.so shows.
 $(BUILD)/tia-radio.pc: install.mk include/tia/tia.h FORCE
-	$(file >$@,$(call PC,tia-radio,paths of radio waves for the ray tracer tia,, $${libdir}/libtia.a))@:
+	$(shell mkdir -p $(@D))$(file >$@,$(call PC,tia-radio,paths of radio waves for the ray tracer tia,, $${libdir}/libtia.a))@:
 
 
 # The freestanding ports: a panel on a serial bus, a keyboard's bytes.
