@@ -36,13 +36,14 @@ Libs: -L$${libdir} -l$(1)$(4)
 Libs.private: $(3)
 
 endef
-# A static library that another one needs, and that needs it, stands twice. The file is written before the recipe runs,
-# perhaps before anything else is built.
+# write_pc: the target by PC. It is written when make expands the recipe, perhaps before anything else is built.
+write_pc = $(shell mkdir -p $(@D))$(file >$@,$(call PC,$(1),$(2),$(3),$(4)))@:
+# A static library that another one needs, and that needs it, stands twice.
 $(BUILD)/tia.pc: install.mk include/tia/tia.h FORCE
-	$(shell mkdir -p $(@D))$(file >$@,$(call PC,tia,integer-only ray tracer,$(if $(BARE),,-ltia-simd -ltia -lm)))@:
+	$(call write_pc,tia,integer-only ray tracer,$(if $(BARE),,-ltia-simd -ltia -lm))
 # It is static, and needs more of the core than libtia.so shows.
 $(BUILD)/tia-radio.pc: install.mk include/tia/tia.h FORCE
-	$(shell mkdir -p $(@D))$(file >$@,$(call PC,tia-radio,paths of radio waves for the ray tracer tia,, $${libdir}/libtia.a))@:
+	$(call write_pc,tia-radio,paths of radio waves for the ray tracer tia,, $${libdir}/libtia.a)
 
 
 # The freestanding ports: a panel on a serial bus, a keyboard's bytes.

@@ -81,12 +81,34 @@ static double near_touch(const struct scenery *c, struct real centre)
     return random_bits() % 4 ? exact + c->shade.eoutside * 4 * random_double() : exact * (0.5 + some_part());
 }
 
-static void begin_shaft(struct scenery *c, struct sure_scene *scene, struct shaft *f)
+/* Begins a shaft from some point to some light; false if the light is not taken as a whole. */
+static bool begin_shaft(struct scenery *c, struct sure_scene *scene, struct shaft *f)
 {
+    some_light(c);
+    some_view(c);
+    if (!c->area.fine)
+        return false;
     *scene = (struct sure_scene){.extent = 16};
     *f = (struct shaft){.area = &c->area, .shade = &c->shade, .room = &room.room, .lanes = 1};
     f->rest = ~(unsigned)shaft_start(scene, f) & 1;
     c->shade.index[0] = 99;
+    return true;
+}
+
+/* Returns some point about as far from the segment to the light's centre as `aside`. */
+static struct real some_centre(const struct scenery *c, double aside)
+{
+    struct real way = real_along(real_of(c->shade.outside), real_of(c->area.out), 1.2L * (long double)random_double());
+
+    return real_along(way, real_random(), (long double)(aside * some_part()));
+}
+
+/* Converts a vector to doubles, and returns it as these are. */
+static struct real rounded(struct real v, double to[3])
+{
+    for (int i = 0; i < 3; i++)
+        to[i] = (double)v.v[i];
+    return (struct real){{to[0], to[1], to[2]}};
 }
 
 /* What the listed sphere decides of a sample: 1 met, 0 missed, -1 undecided. */
@@ -113,17 +135,11 @@ static void try_ball(struct used *u)
     struct real centre;
     int wrong = 0;
 
-    some_light(&c);
-    some_view(&c);
-    if (!c.area.fine)
+    if (!begin_shaft(&c, &scene, f))
         return;
-    begin_shaft(&c, &scene, f);
-    centre = real_along(real_of(c.shade.outside), real_of(c.area.out), 1.2L * (long double)random_double());
-    centre = real_along(centre, real_random(), 2 * (long double)some_part());
+    centre = some_centre(&c, 2);
     o.radius = near_touch(&c, centre);
-    for (int i = 0; i < 3; i++)
-        o.at[i] = (double)centre.v[i];
-    centre = (struct real){{o.at[0], o.at[1], o.at[2]}};
+    centre = rounded(centre, o.at);
     shaft_ball(f, &o, 0, 1);
     for (int i = 0; i < SAMPLES; i++) {
         struct exact_ray r = ray_to(&c, i, centre, WITHIN * (long double)some_sign());
@@ -158,18 +174,10 @@ static void try_around(unsigned long *passed)
     struct sure_object o = {.kind = SURE_ROUND, .round = &k};
     struct real axis = real_random(), centre;
 
-    some_light(&c);
-    some_view(&c);
-    if (!c.area.fine)
+    if (!begin_shaft(&c, &scene, f))
         return;
-    begin_shaft(&c, &scene, f);
-    centre = real_along(real_of(c.shade.outside), real_of(c.area.out), 1.2L * (long double)random_double());
-    centre = real_along(centre, real_random(), (long double)some_part());
-    for (int i = 0; i < 3; i++) {
-        k.axis[i] = (double)axis.v[i];
-        k.anchor[i] = o.at[i] = (double)centre.v[i];
-    }
-    centre = (struct real){{k.anchor[0], k.anchor[1], k.anchor[2]}};
+    (void)rounded(axis, k.axis);
+    centre = rounded(rounded(some_centre(&c, 1), o.at), k.anchor);
     struct exact_ray touch = ray_to(&c, 0, centre, 0);
     struct real across = real_unit(real_cross(touch.d, axis)), l = real_along(centre, touch.o, -1);
     k.base_radius = (double)fabsl(real_dot(across, l)) + 0x1p-20 * random_double();
@@ -205,21 +213,14 @@ static void try_plane(unsigned long *missed)
     struct sure_object o = {.kind = SURE_PLANE};
     struct real n = real_random(), at;
 
-    some_light(&c);
-    some_view(&c);
-    if (!c.area.fine)
+    if (!begin_shaft(&c, &scene, f))
         return;
-    begin_shaft(&c, &scene, f);
     at = random_bits() % 2 ? real_of(c.shade.outside) : place_of(&c, 0);
     at = real_along(at, n, 4 * (long double)(c.shade.eoutside * random_double()));
-    for (int i = 0; i < 3; i++) {
-        o.normal[i] = (double)n.v[i];
-        o.at[i] = (double)at.v[i];
-    }
-    n = (struct real){{o.normal[0], o.normal[1], o.normal[2]}};
+    n = rounded(n, o.normal);
+    at = rounded(at, o.at);
     if (!misses_plane(f, &o))
         return;
-    at = (struct real){{o.at[0], o.at[1], o.at[2]}};
     struct real o1 = real_along(real_of(c.shade.outside), n, WITHIN * (long double)(some_sign() * c.shade.eoutside));
     long double height = real_dot(n, real_along(o1, at, -1));
     for (int i = 0; i < SAMPLES; i++) {
@@ -292,11 +293,8 @@ static void try_face(unsigned long *passed)
     struct shaft *f = &room.shaft;
     struct pair_test t;
 
-    some_light(&c);
-    some_view(&c);
-    if (!c.area.fine)
+    if (!begin_shaft(&c, &scene, f))
         return;
-    begin_shaft(&c, &scene, f);
     some_face(&m);
     pair_test_of(f, &m.tree, &t);
     if (pair_may_be_met(&t, &m.pair) & 1)

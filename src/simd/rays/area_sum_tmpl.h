@@ -39,8 +39,8 @@ static void area_terms_of(const struct area *a, const struct shade *h, unsigned 
     t->lambert = affine_of(a->axes, a->way, h->normal);
     t->above = affine_of(a->axes, a->way, h->geometric);
     t->half = affine_of(a->axes, a->way, mirror);
-    t->elambert = BOUND_OF(LAMBERT, h->en + a->eto + BOUND(COSINE)) + BOUND(AREA_COSINE);
-    t->eabove = BOUND_OF(ABOVE, h->eg + a->eto + BOUND(COSINE)) + BOUND(AREA_COSINE);
+    t->elambert = area_lambert_error(a, h);
+    t->eabove = area_above_error(a, h);
     t->eaway = vmax(t->eabove, BOUND_OF(AREA_LEAVING, 2 * (h->eg + a->eout + BOUND(COSINE) + BOUND(AREA_COSINE))));
     t->ehalf = BOUND_OF(HIGHLIGHT_COSINE, BOUND_OF(HIGHLIGHT_FACING, 2 * (h->efacing + t->elambert)) + a->eto + h->ev +
                                               BOUND(HIGHLIGHT_ROUNDING)) +

@@ -1,8 +1,9 @@
 /* area_tmpl.h - an area light as a whole: what holds for all of its samples, and numbers that are linear along its
  * axes.
  *
- * Parameters: the doubles of isa/isa.h. Defines: set_area(), turned_away(), affine_of(), affine_at(), affine_reach(),
- * square_of(), square_at(), inverse_root(), struct area, struct affine, struct square.
+ * Parameters: the doubles of isa/isa.h. Defines: set_area(), turned_away(), area_lambert_error(), area_above_error(),
+ * affine_of(), affine_at(), affine_reach(), square_of(), square_at(), inverse_root(), struct area, struct affine,
+ * struct square.
  *
  * A sample S = L + x A + y B is at W + x A + y B from P, W = L - P. So its height over any plane through P is linear in
  * x and y, and the square of its distance is quadratic. A cosine takes a few operations and an inverse root in place of
@@ -74,13 +75,24 @@ LANE_OP vd inverse_root(vd x)
 #endif
 }
 
+/* Return the bounds of the errors of a sample's cosine to the normal and to the geometric normal. */
+LANE_OP vd area_lambert_error(const struct area *a, const struct shade *h)
+{
+    return BOUND_OF(LAMBERT, h->en + a->eto + BOUND(COSINE)) + BOUND(AREA_COSINE);
+}
+
+LANE_OP vd area_above_error(const struct area *a, const struct shade *h)
+{
+    return BOUND_OF(ABOVE, h->eg + a->eto + BOUND(COSINE)) + BOUND(AREA_COSINE);
+}
+
 /* Returns the lanes whose surface is certainly turned away from all samples. */
 LANE_OP vm turned_away(const struct area *a, const struct shade *h)
 {
     struct affine above = affine_of(a->axes, a->way, h->geometric);
-    vd e = BOUND_OF(ABOVE, h->eg + a->eto + BOUND(COSINE)) + BOUND(AREA_COSINE);
 
-    return mand(a->fine, vlt(above.at + affine_reach(a, &above), -e * (vsqrt(a->seen.at) + a->reach)));
+    return mand(a->fine,
+                vlt(above.at + affine_reach(a, &above), -area_above_error(a, h) * (vsqrt(a->seen.at) + a->reach)));
 }
 
 /* Sets the errors. Those of the samples' vectors are as in sample_of() and aim_shadow(), for the largest coordinates.
@@ -102,7 +114,7 @@ LANE_OP void set_area_errors(const struct aim *aim, const struct shade *h, struc
 }
 
 static __attribute__((noinline)) void set_area(const struct sure_light *l, const struct aim *aim, const struct shade *h,
-                                              struct area *a)
+                                               struct area *a)
 {
     a->light = l;
     a->disc = !tia_light_has(l->from->kind, TIA_LIGHT_SIDES);

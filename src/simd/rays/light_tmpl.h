@@ -7,7 +7,7 @@
 #include "area_sum_tmpl.h"
 #include "spread_tmpl.h"
 
-#define AREA_FEW (LANES / 4)
+#define AREA_FEW (LANES / 4) /* most lanes that are left to other packets because few need rays to be traced */
 
 /* Aims the shadow ray, from outside the surface to the sample. Its vector is that of the sample, less b G, so its error
  * is that of the sample's vector, b eg, and roundings. */
@@ -267,8 +267,7 @@ LANE_OP void add_area_sum(const struct area *a, const struct shade *h, vm lanes,
     const struct area_sum *of = &sum->room->area_sum;
     const struct sure_light *l = a->light;
     double part = 1.0 / l->from->samples;
-    vd el = BOUND_OF(LAMBERT, h->en + a->eto + BOUND(COSINE)) + BOUND(AREA_COSINE);
-    vd e = BOUND_OF(DIFFUSE, most3(h->colour) * el + BOUND_OF(DIFFUSE_TEXTURE, h->ecolour));
+    vd e = BOUND_OF(DIFFUSE, most3(h->colour) * area_lambert_error(a, h) + BOUND_OF(DIFFUSE_TEXTURE, h->ecolour));
 
     e = e * of->count + most3(h->specular) * of->eshine;
     e = BOUND_OF(SAMPLE_LIGHT, e + 2 * BOUND(THROUGH_UNIT) * of->filters) + of->count * BOUND(SAMPLE_SUM);

@@ -52,13 +52,20 @@ static bool is_away(const struct tia_view *view, const struct simd_crowd *crowd,
     return toward + reach < r * r - BOUND_OF(SPAN_AWAY, BOUND(SPAN_PARTS) * size);
 }
 
+static void remove_from(uint8_t list[SIMD_LIST], uint32_t sphere)
+{
+    list[sphere >> 3] = (uint8_t)(list[sphere >> 3] & ~(1u << (sphere & 7)));
+}
+
 /* Removes the shades of a lamp, whose colour has their transmissions. */
 static void remove_shades(const struct tia_view *view, uint32_t sphere, const struct simd_lamp *lamp,
                           uint8_t list[SIMD_LIST])
 {
-    for (uint32_t j = 0; lamp->shades && j < view->scene->sphere_count; j++)
-        if (list[j >> 3] >> (j & 7) & 1 && tia_simd_is_shade(view, sphere, j, lamp))
-            list[j >> 3] = (uint8_t)(list[j >> 3] & ~(1u << (j & 7)));
+    const struct span_casters *casters = &span_view_of(view)->casters;
+
+    for (uint32_t j = 0; lamp->shades && (j = span_next_in(casters, list, j)) < casters->count; j++)
+        if (tia_simd_is_shade(view, sphere, j, lamp))
+            remove_from(list, j);
 }
 
 /* Pixels whose ball is so small that it is worth while to try each sphere on it, but not to look for spheres among
@@ -72,14 +79,15 @@ static void remove_shades(const struct tia_view *view, uint32_t sphere, const st
 static bool try_ball(const struct span_view *spans, const struct coarse_ball *ball, uint32_t light,
                      uint8_t list[SIMD_LIST])
 {
-    for (uint32_t i = 0; i < (spans->casters.count + 7) / 8; i++)
-        for (unsigned rest = list[i]; rest; rest &= rest - 1) {
-            enum span_part part = span_part_of(&spans->casters, ball, light, 8 * i + (uint32_t)__builtin_ctz(rest));
-            if (part == SPAN_DARK && !spans->tinted)
-                return false;
-            if (part == SPAN_LIT)
-                list[i] = (uint8_t)(list[i] & ~(rest & -rest));
-        }
+    const struct span_casters *casters = &spans->casters;
+
+    for (uint32_t j = 0; (j = span_next_in(casters, list, j)) < casters->count; j++) {
+        enum span_part part = span_part_of(casters, ball, light, j);
+        if (part == SPAN_DARK && !spans->tinted)
+            return false;
+        if (part == SPAN_LIT)
+            remove_from(list, j);
+    }
     return true;
 }
 
@@ -110,6 +118,7 @@ const uint8_t *tia_simd_crowd_list(const struct tia_view *view, struct simd_crow
 
 const struct simd_lamp *tia_simd_crowd_lamp(const struct tia_view *view, struct simd_crowd *crowd, uint32_t light)
 {
+    const struct span_casters *casters = &span_view_of(view)->casters;
     uint32_t sphere = crowd->span.object;
     const struct simd_lamp *from = simd_lamp_of(view, sphere, light);
 
@@ -125,9 +134,7 @@ const struct simd_lamp *tia_simd_crowd_lamp(const struct tia_view *view, struct 
     crowd->lamp.plain = false;
     crowd->lamp.cast = crowd->cast;
     crowd->lamp.casts = 0;
-    for (uint32_t i = 0; i < (view->scene->sphere_count + 7) / 8; i++)
-        for (unsigned rest = list[i]; rest; rest &= rest - 1)
-            tia_simd_caster(view, sphere, 8 * i + (uint32_t)__builtin_ctz(rest), from,
-                            &crowd->cast[crowd->lamp.casts++]);
+    for (uint32_t j = 0; (j = span_next_in(casters, list, j)) < casters->count; j++)
+        tia_simd_caster(view, sphere, j, from, &crowd->cast[crowd->lamp.casts++]);
     return &crowd->lamp;
 }

@@ -85,6 +85,7 @@ struct pixel {
 static bool list_casters(const struct simd_pixels *pixels, uint32_t light, struct simd_blockers *blockers)
 {
     const struct simd_lamp *lamp = simd_lamp_of(pixels->view, pixels->sphere, light);
+    const struct span_casters *casters = &span_view_of(pixels->view)->casters;
 
     blockers->count = 0;
     if (!lamp->plain) {
@@ -93,9 +94,8 @@ static bool list_casters(const struct simd_pixels *pixels, uint32_t light, struc
         return !simd_is_black(lamp->colour);
     }
     const uint8_t *list = tia_simd_crowd_list(pixels->view, pixels->crowd, light);
-    for (uint32_t j = 0; list && j < pixels->view->scene->sphere_count; j++)
-        if (list[j >> 3] >> (j & 7) & 1)
-            blockers->sphere[blockers->count++] = (uint8_t)j;
+    for (uint32_t j = 0; list && (j = span_next_in(casters, list, j)) < casters->count; j++)
+        blockers->sphere[blockers->count++] = (uint8_t)j;
     return list != NULL;
 }
 
