@@ -18,6 +18,10 @@ FLAGS = ("--headless=new", "--no-sandbox", "--disable-gpu", "--no-first-run", "-
          "--disable-component-update", "--disable-dev-shm-usage", "--hide-scrollbars", "--remote-debugging-pipe")
 
 
+# What an expression's evaluation fails with when its page is left.
+LEFT = ("Inspected target navigated or closed", "Execution context was destroyed.", "Cannot find default execution context")
+
+
 class Server:
     """Serves a folder, as python3 -m http.server does; `asked` are the paths that were asked for."""
 
@@ -92,7 +96,8 @@ class Browser:
             else:
                 self.events.append(message)
 
-    def call(self, method, session=None, **params):
+    def ask(self, method, session=None, **params):
+        """The answer, with "result" or "error"."""
         self.number += 1
         number, message = self.number, {"id": self.number, "method": method, "params": params}
         if session:
@@ -102,7 +107,10 @@ class Browser:
             data = data[os.write(self.to, data):]
         while number not in self.answers:
             self.listen()
-        answer = self.answers.pop(number)
+        return self.answers.pop(number)
+
+    def call(self, method, session=None, **params):
+        answer = self.ask(method, session, **params)
         check("error" not in answer, f"{method}: {answer.get('error')}")
         return answer["result"]
 
@@ -121,6 +129,9 @@ class Page:
                   mobile=phone)
         if phone:
             self.call("Emulation.setTouchEmulationEnabled", enabled=True)
+        self.go(url)
+
+    def go(self, url):
         self.call("Page.navigate", url=url)
         self.wait(f"location.href === {json.dumps(url)} && document.readyState === 'complete'", f"{url} is there")
 
@@ -133,15 +144,19 @@ class Page:
     def call(self, method, **params):
         return self.browser.call(method, self.session, **params)
 
-    def run(self, expression):
-        """What the expression is, in the page."""
-        answer = self.call("Runtime.evaluate", expression=expression, returnByValue=True, awaitPromise=True)
-        check("exceptionDetails" not in answer, f"{expression}: {answer.get('exceptionDetails')}")
-        return answer["result"].get("value")
+    def run(self, expression, leaves=False):
+        """What the expression is, in the page; None if the page is left meanwhile and may be."""
+        answer = self.browser.ask("Runtime.evaluate", self.session, expression=expression, returnByValue=True, awaitPromise=True)
+        if leaves and answer.get("error", {}).get("message") in LEFT:
+            return None
+        check("error" not in answer, f"{expression}: {answer.get('error')}")
+        check("exceptionDetails" not in answer["result"], f"{expression}: {answer['result'].get('exceptionDetails')}")
+        return answer["result"]["result"].get("value")
 
     def wait(self, expression, what):
+        """Waits until the expression is true, also in a page that replaces this one."""
         end = time.monotonic() + LIMIT_S
-        while not self.run(expression):
+        while not self.run(expression, leaves=True):
             check(time.monotonic() < end, f"{what} did not happen: {self.complaints()}")
             time.sleep(0.02)
 

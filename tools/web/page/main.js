@@ -6,7 +6,7 @@ import {startCompletions} from './complete.js';
 import {clearRays, drawRays, show, showAgain, updateNote} from './picture.js';
 import {startFiles} from './files.js';
 import {startInput} from './input.js';
-import {edited, startScenes} from './scenes.js';
+import {edited, showThumbnails, startScenes} from './scenes.js';
 import {startOffline} from './offline.js';
 import {loadReference, startReference} from './reference.js';
 
@@ -17,6 +17,7 @@ function hear(data) {
   if (data.loaded) showMistakes(null, page.scene);
   if (data.error) showMistakes(data.error, page.scene);
   if (data.failed) fail(data.failed);
+  if (data.frame || data.error || data.failed) showThumbnails();
   if (data.frame && page.complete && !page.first) {
     page.first = performance.now();
     $('picture').dataset.first = Math.round(page.first);

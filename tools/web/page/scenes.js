@@ -130,13 +130,19 @@ async function openLink() {
 
 function fillGallery() {
   const tile = name => {
-    const image = element('img', {src: `thumbnails/${name}.png`, alt: '', width: 160, height: 120, loading: 'lazy'});
+    const image = element('img', {alt: '', width: 160, height: 120, loading: 'lazy'});
     const button = element('button', {type: 'button'}, image, element('span', {textContent: name}));
     button.dataset.scene = name + '.tia';
     button.addEventListener('click', () => { open(name + '.tia'); scrollTo({top: 0, behavior: 'instant'}); say(`${name} opened`); });
     return button;
   };
   $('gallery').replaceChildren(...page.gallery.scenes.map(tile));
+}
+
+// Loads the thumbnails, which would delay the first picture on a slow line.
+export function showThumbnails() {
+  for (const image of document.querySelectorAll('#gallery img:not([src])'))
+    image.src = `thumbnails/${image.nextSibling.textContent}.png`;
 }
 
 export async function startScenes() {
