@@ -260,6 +260,7 @@ TEST(steps_are_those_of_the_formulas)
 #undef STEPS_HALVES
 #define STEPS_HALVES 1
 #define steps_high halves_high
+#define steps_high_sum halves_high_sum
 #define steps_square halves_square
 #define steps_top halves_top
 #define steps_times halves_times
@@ -267,9 +268,7 @@ TEST(steps_are_those_of_the_formulas)
 #undef steps_point
 #undef steps_side
 #undef steps_upper
-#undef steps_compare
 #define steps_upper halves_upper
-#define steps_compare halves_compare
 #define steps_point halves_point
 #define steps_side halves_side
 #undef STEPS_HALF

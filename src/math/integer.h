@@ -75,6 +75,17 @@ static inline unsigned tia_clz64(uint64_t x)
 #endif
 }
 
+/* Returns a number that is 0 if `sum` is 0 and a is b; `sum` has been returned at most 2^20 times. */
+static INLINED uint32_t tia_add_difference(uint32_t sum, uint32_t a, uint32_t b)
+{
+#if TIA_UPPER_PRODUCTS
+    __asm__("usada8 %0, %1, %2, %0" : "+r"(sum) : "r"(a), "r"(b));
+    return sum;
+#else
+    return sum | (a ^ b);
+#endif
+}
+
 /* True on processors of 8 bits, which shift bit by bit, but for whole bytes. */
 #define TIA_SHIFTS_BITS (sizeof(int) == 2)
 
@@ -110,6 +121,10 @@ static inline int64_t tia_round_shift_words(int64_t x, unsigned s)
 {
     uint32_t low = (uint32_t)x;
     int32_t high = (int32_t)(x >> 32);
+    if (s > 32 && !TIA_HALF_PRODUCTS) { /* slower on these */
+        int32_t twice = high >> (s - 33);
+        return (twice >> 1) + (twice & 1);
+    }
     if (s >= 32)
         return (high >> (s - 32)) + (int64_t)(s == 32 ? low >> 31 : (uint32_t)(high >> (s - 33)) & 1);
     uint64_t floor = (uint64_t)(uint32_t)(high >> s) << 32 | (low >> s | (uint32_t)high << (32 - s));

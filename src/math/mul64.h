@@ -91,4 +91,16 @@ static INLINED_IN_WORDS int32_t tia_high_s32(int32_t a, int32_t b)
     return (int32_t)(tia_mul_s32(a, b) >> 32);
 #endif
 }
+
+/* Returns the upper word of a b + c d, which is below 2^63; too small by less than 2. */
+static INLINED_IN_WORDS int32_t tia_high_sum_s32(int32_t a, int32_t b, int32_t c, int32_t d)
+{
+#if TIA_ADDS_PRODUCTS
+    int32_t low, high;
+    __asm__("smull %0, %1, %2, %3\n\tsmlal %0, %1, %4, %5" : "=&r"(low), "=&r"(high) : "r"(a), "r"(b), "r"(c), "r"(d));
+    return high;
+#else
+    return tia_high_s32(a, b) + tia_high_s32(c, d);
+#endif
+}
 #endif

@@ -13,12 +13,20 @@
 #define TIA_HALF_PRODUCTS 0
 #endif
 
-/* 1 if there is an instruction, smmul, for the upper word of a product, which gcc does not use: ARMv6 and later, in
- * Thumb ARMv7E-M and ARMv7-A, such as Cortex-M4 and M7. */
+/* 1 if there are instructions for the upper word of a product, smmul, and for sums of differences of bytes, usada8,
+ * which gcc does not use: ARMv6 and later, in Thumb ARMv7E-M and ARMv7-A, such as Cortex-M4 and M7. */
 #if defined(__GNUC__) && defined(__ARM_FEATURE_DSP) && __ARM_ARCH >= 6 && (__ARM_ARCH >= 7 || !defined(__thumb__))
 #define TIA_UPPER_PRODUCTS 1
 #else
 #define TIA_UPPER_PRODUCTS 0
+#endif
+
+/* 1 if there is an instruction, smlal, that adds a product to a sum, before which gcc copies registers: ARMv7 of 32
+ * bits and Thumb-2, such as Cortex-M3. */
+#if defined(__GNUC__) && defined(__arm__) && (defined(__thumb2__) || (defined(__ARM_ARCH) && __ARM_ARCH >= 7))
+#define TIA_ADDS_PRODUCTS 1
+#else
+#define TIA_ADDS_PRODUCTS 0
 #endif
 
 /* 1 if numbers of two words have code of their own beside that for any number of words: 64-bit processors, and those

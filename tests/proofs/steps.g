@@ -22,7 +22,8 @@ depth = 0.25 + 1b-16 + (5 * 3 + 8 * 1b19) * 1b-32 + 1;
 depth_turned = 2 * 2 * 0.51 * 1.02;
 walked = 64 * 1 + 1b-9 * 2048 + 1b-9 * 64 + 0.05;
 turned = 0.51 * (1 + 2 * w);
-margin = 3 * (1 + 1 + 0.25) + 2;
+margin = 1 + 1 + 0.25 + 2;
+halves = 3 * (1 + 1 + 0.25) + 2;
 # Where u turns: l and omega S by what is cut off, by D's doubt and by K's, as shares of 2^32.
 way = (0.125 + 3 * 0.25) + 1 + 0.5 * ((2 * 0.25 + 0.125 + 0.5) + 1);
 way_depth = 2 * 0.125 + 0.25;
@@ -35,4 +36,4 @@ way_turned = 0.25 * 0.5 + 0.25 + 0.5 * (0.25 * 0.5 + 0.25 + 0.125 + 0.5 * 0.5);
   /\ k in [0,1] /\ q in [0.5,1] /\ u in [0,1] /\ v in [0,1] /\ w in [0,0.27]
   -> word in [-STEPS_WORD,STEPS_WORD] /\ coarse <= STEPS_COARSE /\ fine <= STEPS_FINE /\ depth <= STEPS_DEPTH
   /\ depth_turned <= STEPS_DEPTH_TURNED /\ walked <= STEPS_WALKED /\ turned <= STEPS_TURNED /\ margin <= STEPS_MARGIN
-  /\ way <= STEPS_WAY /\ way_depth <= 1 /\ way_turned <= 1 }
+  /\ halves <= STEPS_HALVES_MARGIN /\ way <= STEPS_WAY /\ way_depth <= 1 /\ way_turned <= 1 }

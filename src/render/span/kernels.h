@@ -181,12 +181,14 @@ static INLINED tia_rgb565 span_order(const num_u threshold[THRESHOLDS], tia_rgb5
 
 static inline void span_fill(tia_rgb565 *pixels, int count, tia_rgb565 pixel)
 {
-    int i = 0;
+    tia_rgb565 *const end = pixels + count;
 
-    for (; i + 4 <= count; i += 4)
-        pixels[i] = pixels[i + 1] = pixels[i + 2] = pixels[i + 3] = pixel;
-    for (; i < count; i++)
-        pixels[i] = pixel;
+    for (; end - pixels >= 8; pixels += 8) {
+        pixels[0] = pixels[1] = pixels[2] = pixels[3] = pixel;
+        pixels[4] = pixels[5] = pixels[6] = pixels[7] = pixel;
+    }
+    while (pixels < end)
+        *pixels++ = pixel;
 }
 
 /* Returns the pixel of an exact colour. */

@@ -137,7 +137,7 @@ static void set_steps(const struct tia_view *view)
         steps->usable = false;
         if (!used)
             continue;
-        steps->shaded = span_next_listed(&spans->casters, i, 0, 0) < scene->sphere_count;
+        steps->shaded = span_next_in(&spans->casters, span_list_of(&spans->casters, i, 0), 0) < scene->sphere_count;
         source.light = num_vec_between(scene->camera.eye, view->lights[0].centre);
         steps_prepare(&spans->primary, &source, &view->lights[0].emission,
                       &scene->materials[scene->spheres[i].material], steps);

@@ -177,7 +177,7 @@ const uint8_t *span_list_of(const struct span_casters *casters, uint32_t sphere,
     return list_of(casters, sphere, light);
 }
 
-static INLINED uint32_t next_in(const struct span_casters *casters, const uint8_t *list, uint32_t from)
+uint32_t span_next_in(const struct span_casters *casters, const uint8_t *list, uint32_t from)
 {
     uint32_t j = from;
 
@@ -190,28 +190,19 @@ static INLINED uint32_t next_in(const struct span_casters *casters, const uint8_
     return casters->count;
 }
 
-uint32_t span_next_in(const struct span_casters *casters, const uint8_t *list, uint32_t from)
-{
-    return next_in(casters, list, from);
-}
-
-uint32_t span_next_listed(const struct span_casters *casters, uint32_t sphere, uint32_t light, uint32_t from)
-{
-    return next_in(casters, list_of(casters, sphere, light), from);
-}
-
 /* A sphere around the eye contains all visible points, so that no hull of these is clear of it. */
 uint32_t span_next_caster(const void *lit, uint32_t light, uint32_t from)
 {
     const struct span_lit *points = lit;
     const struct span_casters *casters = points->casters;
-    uint32_t j = span_next_listed(casters, points->object, light, from);
+    const uint8_t *list = list_of(casters, points->object, light);
+    uint32_t j = span_next_in(casters, list, from);
     struct span_hull hull;
 
     if (points->surrounded && j < casters->count) {
         span_hull_of(&points->around, &casters->coarse[casters->count + light], &hull);
         while (j < casters->count && is_clear(&hull, &casters->coarse[j]))
-            j = span_next_listed(casters, points->object, light, j + 1);
+            j = span_next_in(casters, list, j + 1);
     }
     return j;
 }

@@ -47,10 +47,7 @@ struct span_lit {
  * if there is none. `lit` is a struct span_lit. */
 uint32_t span_next_caster(const void *lit, uint32_t light, uint32_t from);
 
-/* The same for all points of a sphere. */
-uint32_t span_next_listed(const struct span_casters *casters, uint32_t sphere, uint32_t light, uint32_t from);
-
-/* Returns their list: a bit for each sphere of the scene. */
+/* Returns the list of the spheres that may block the light at some point of a sphere: a bit for each of the scene. */
 const uint8_t *span_list_of(const struct span_casters *casters, uint32_t sphere, uint32_t light);
 
 /* Returns the first sphere from number `from` on in a list of bits; the number of spheres if there is none. */

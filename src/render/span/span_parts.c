@@ -41,7 +41,7 @@ struct row_point {
 struct division {
     const struct span_view *spans;
     const struct span_sphere *sphere;
-    uint32_t object;
+    const uint8_t *list; /* the spheres that may cast a shadow on this one */
     int x, y;
     struct sphere_line line; /* of the pixel being computed */
     num_wide b, row_square;  /* L.v at the span's first pixel, and Y^2 + K^2 */
@@ -152,8 +152,7 @@ static enum span_part part_at(const struct division *d, const struct coarse_ball
     const struct row_step here = {0, 0, 0};
     enum span_part part = SPAN_LIT;
 
-    for (uint32_t j = span_next_listed(casters, d->object, 0, 0); j < casters->count;
-         j = span_next_listed(casters, d->object, 0, j + 1)) {
+    for (uint32_t j = 0; (j = span_next_in(casters, d->list, j)) < casters->count; j++) {
         enum span_part by = part_by(point, point->radius, &here, &casters->coarse[casters->count], &casters->coarse[j]);
         if (by == SPAN_DARK)
             return by;
@@ -192,8 +191,7 @@ static bool is_same_between(const struct division *d, const struct row_point *a,
     if (a->part != b->part || a->part == SPAN_OPEN || span_bits(chord) > 29)
         return false;
     arc.off = (num)(doubt + sag_of(chord, d->width));
-    for (uint32_t j = span_next_listed(casters, d->object, 0, 0); j < casters->count;
-         j = span_next_listed(casters, d->object, 0, j + 1))
+    for (uint32_t j = 0; (j = span_next_in(casters, d->list, j)) < casters->count; j++)
         if (is_all(&arc, &casters->coarse[casters->count], &casters->coarse[j], a->part) != (a->part == SPAN_LIT))
             return a->part != SPAN_LIT;
     return a->part == SPAN_LIT;
@@ -201,11 +199,17 @@ static bool is_same_between(const struct division *d, const struct row_point *a,
 
 /* ---- a span ---- */
 
-static void begin(struct division *d)
+static void begin(struct division *d, const struct span_view *spans, uint32_t object, int x, int y)
 {
-    const struct primary_rays *primary = &d->spans->primary;
-    num_wide row = primary_y(primary, d->y);
+    const struct primary_rays *primary = &spans->primary;
+    num_wide row = primary_y(primary, y);
 
+    d->spans = spans;
+    d->sphere = &spans->spheres[object];
+    d->list = span_list_of(&spans->casters, object, 0);
+    d->x = x;
+    d->y = y;
+    d->width = -1;
     span_sphere_line(primary, d->sphere, d->y, d->x, &d->line);
     d->line.count = 1;
     d->b = d->line.b;
@@ -234,13 +238,11 @@ static bool extend(struct span_run runs[SPAN_RUNS], int *count, enum span_part p
 
 int span_divide(const struct tia_view *view, uint32_t object, int x, int y, int count, struct span_run runs[SPAN_RUNS])
 {
-    const struct span_view *spans = span_view_of(view);
-    struct division d = {
-        .spans = spans, .sphere = &spans->spheres[object], .object = object, .x = x, .y = y, .width = -1};
+    struct division d;
     struct row_point left, right[PENDING];
     int depth = 1, found = 0;
 
-    begin(&d);
+    begin(&d, span_view_of(view), object, x, y);
     give_point(&d, 0, &left);
     if (left.part != SPAN_OPEN)
         d.width = width_by(d.sphere, &left.ball);

@@ -2,19 +2,26 @@
  * found exactly. Where spans overlap, the nearer sphere is visible; in a tie, the one with the lower index. */
 #include "math/fast.h"
 
+#include "math/integer.h"
 #include "span.h"
+
+/* Returns a number that is 0 if `sum` is 0 and four objects are `seen`. */
+static INLINED uint32_t others(uint32_t sum, const uint32_t *object, uint32_t seen)
+{
+    sum = tia_add_difference(sum, object[0], seen);
+    sum = tia_add_difference(sum, object[1], seen);
+    sum = tia_add_difference(sum, object[2], seen);
+    return tia_add_difference(sum, object[3], seen);
+}
 
 int span_same(const uint32_t *object, int count)
 {
     uint32_t seen = object[0];
     int end = 1;
 
-    for (; end + 8 <= count; end += 8) {
-        const uint32_t *o = object + end;
-        if ((o[0] ^ seen) | (o[1] ^ seen) | (o[2] ^ seen) | (o[3] ^ seen) | (o[4] ^ seen) | (o[5] ^ seen) |
-            (o[6] ^ seen) | (o[7] ^ seen))
+    for (; end + 8 <= count; end += 8)
+        if (others(others(0, object + end, seen), object + end + 4, seen))
             break;
-    }
     while (end < count && object[end] == seen)
         end++;
     return end;

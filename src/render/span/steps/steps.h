@@ -31,17 +31,17 @@ struct colour_steps {
     bool usable;
     bool shaded; /* some sphere may block the light somewhere */
     uint8_t count;
-    int8_t form_shift;               /* of G.v, for primary_form; its upper words have the exponent of A */
-    int32_t root_most;               /* upper limit of S as a word */
-    int32_t depth_doubt;             /* bound of the error of D's upper word */
-    int32_t fine_doubt;              /* bound of the error of A and W S in a decision of 64 bits */
-    int32_t margin;                  /* bound of the error of A^2 - (W S)^2, upper words, in a decision of 32 bits */
-    int32_t walk_doubt;              /* bound of the error of A and W S in steps_walk */
-    int32_t walk_margin;             /* as `margin`, there */
-    int32_t turn_margin, turn_doubt; /* as `margin` and fine_doubt, where it is decided whether u grows */
-    int turn_shift;                  /* 2^turn_shift is at most a quarter of the image's width; 0: that is too narrow */
-    struct num_vec to_light;         /* G */
-    int32_t at[COLOUR_STEPS];        /* W, with the exponent form_shift - b_shift + 32 */
+    int8_t form_shift;        /* of G.v, for primary_form; its upper words have the exponent of A */
+    int32_t root_most;        /* upper limit of S as a word */
+    int32_t depth_doubt;      /* bound of the error of D's upper word */
+    int32_t fine_doubt;       /* bound of the error of A and W S in a decision of 64 bits */
+    int32_t margin;           /* bound of the error of A^2 - (W S)^2, upper words, in a decision of 32 bits */
+    int32_t walk_doubt;       /* bound of the error of A and W S in steps_walk */
+    int32_t walk_margin;      /* as `margin`, there */
+    int32_t turn_doubt;       /* as fine_doubt, where it is decided whether u grows */
+    int turn_shift;           /* 2^turn_shift is at most a quarter of the image's width; 0: that is too narrow */
+    struct num_vec to_light;  /* G */
+    int32_t at[COLOUR_STEPS]; /* W, with the exponent form_shift - b_shift + 32 */
     tia_rgb565 pixel[COLOUR_STEPS + 1]; /* the pixels below the first step and above each */
 };
 

@@ -47,9 +47,12 @@
  * bits, off by 2^-9, of which there are 64^2/2 and 64; 68.2 of 70. Unseen: small. */
 #define STEPS_WALKED 70
 
-/* The error of the upper words of A^2 - W^2 D, without those of A, W S and D: three products, of which W^2 counts
- * D/2^32, a quarter: 3 (1 + 1 + .25), and two for the cut of STEPS_COARSE's terms. 8.8 of 10. Unseen: small. */
-#define STEPS_MARGIN 10
+/* The error of the upper words of A^2 - W^2 D, without those of A, W S and D: three products, each cut off by 1, of
+ * which W^2 counts D/2^32, a quarter: 1 + 1 + .25; and two for the cuts in margin_of. 4.3 of 5. Unseen: small. */
+#define STEPS_MARGIN 5
+
+/* The same where products are made of halves, 3 (1 + 1 + .25) and two. 8.8 of 10. Unseen: small. */
+#define STEPS_HALVES_MARGIN 10
 
 /* The error of l and omega S, as words, where it is decided whether u grows, without K's and D's, which `turned` and
  * `depth_doubt` count once each. Steps are those of 2^turn_shift pixels, at most a quarter of the image's width. A

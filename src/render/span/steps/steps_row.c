@@ -48,7 +48,7 @@ static int way_at(const struct step_row *row)
 
     steps_point(row, &point);
     turn_at(row, &point, &a, &w);
-    return steps_compare(steps, point.d, a, w, steps->turn_margin, steps->turn_doubt);
+    return steps_decide(steps, point.d, a, w, steps->turn_doubt, 2 * steps->depth_doubt);
 }
 
 /* Returns the first pixel from `first` on, below `end`, where u does not certainly change in the direction `way`, as it

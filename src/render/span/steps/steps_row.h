@@ -14,6 +14,9 @@
 #define STEPS_HALVES (TIA_HALF_PRODUCTS || TIA_SHIFTS_BITS)
 #endif
 
+/* STEPS_MARGIN as it is on this processor. */
+#define STEPS_PRODUCTS (STEPS_HALVES ? STEPS_BOUND(STEPS_HALVES_MARGIN) : STEPS_BOUND(STEPS_MARGIN))
+
 /* Returns a b/2^32, too small by less than 3: of halves the lowest product is left out, and the middle
  * ones are cut off. |a b| < 2^62. */
 static inline int32_t steps_high(int32_t a, int32_t b)
@@ -23,6 +26,12 @@ static inline int32_t steps_high(int32_t a, int32_t b)
     int16_t a1 = (int16_t)(a >> 16), b1 = (int16_t)(b >> 16);
     uint16_t a0 = (uint16_t)a, b0 = (uint16_t)b;
     return (int32_t)a1 * b1 + ((int32_t)((int32_t)a1 * b0) >> 16) + ((int32_t)((int32_t)b1 * a0) >> 16);
+}
+
+/* Returns (a b + c d)/2^32, too small by less than 6. */
+static inline int32_t steps_high_sum(int32_t a, int32_t b, int32_t c, int32_t d)
+{
+    return STEPS_HALVES ? steps_high(a, b) + steps_high(c, d) : tia_high_sum_s32(a, b, c, d);
 }
 
 /* Returns x |x|/2^32, as steps_high does. */
@@ -37,7 +46,7 @@ static inline int32_t steps_top(int64_t x)
     return (int32_t)(x >> 32);
 }
 
-/* Returns n x modulo 2^64; n is in 0..2^16 - 1. */
+/* Returns n x modulo 2^64; n is at least 0, and below 2^16 where products are made of halves. */
 static inline uint64_t steps_times(uint64_t x, int n)
 {
     uint32_t high = (uint32_t)(x >> 32) * (uint32_t)n, factor = (uint16_t)n;
@@ -60,17 +69,14 @@ struct step_point {
 /* Gives the row's pixel. */
 void steps_point(const struct step_row *row, struct step_point *point);
 
-/* Returns 1 if A is certainly at least W S at a pixel, -1 if it is less, 0 in doubt. A and W S are off by up to `doubt`
- * in all, the upper words of the difference of their squares by up to `margin`. */
-int steps_compare(const struct colour_steps *steps, uint64_t d, int32_t a, int32_t w, int32_t margin, int32_t doubt);
-
-/* The same by 64 bits; D's upper word is too large by up to `above`. */
+/* Returns 1 if A is certainly at least W S at a pixel, -1 if it is less, 0 in doubt, by 64 bits. A and W S are off by
+ * up to `doubt` in all; D's upper word is too large by up to `above`. */
 int steps_decide(const struct colour_steps *steps, uint64_t d, int32_t a, int32_t w, int32_t doubt, int32_t above);
 
 /* Returns 1 if u is at or above step k at a pixel, -1 if it is below, 0 in doubt. */
 int steps_side(const struct colour_steps *steps, const struct step_point *point, int k);
 
-/* Draws up to `count` pixels, at most STEPS_BLOCK, where u changes in one direction, 1: it grows, -1: it falls, and is
+/* Draws up to `count` pixels, 1..STEPS_BLOCK, where u changes in one direction, 1: it grows, -1: it falls, and is
  * on this side of the step behind it. Returns how many: the next one is in doubt if these are fewer. */
 int steps_walk(struct step_row *row, int way, int count, tia_rgb565 *pixels);
 

@@ -13,12 +13,21 @@ int64_t steps_upper(int64_t a, int64_t b)
     return tia_mul_s32(steps_top(a), steps_top(b)) + left + right;
 }
 
+/* Returns x n (n - 1)/2 modulo 2^64; n is in 0..2^16 - 1. */
+static inline uint64_t times_pairs(uint64_t x, int n)
+{
+    int odd = n & 1;
+
+    if (STEPS_HALVES)
+        return steps_times(steps_times(x, (n - odd) / 2), n > 0 ? n - 1 + odd : 0);
+    return steps_times(x, (int)((uint32_t)n * (uint32_t)(n - 1) / 2));
+}
+
 void steps_point(const struct step_row *row, struct step_point *point)
 {
-    int at = row->at, odd = at & 1; /* at (at - 1)/2 in two factors */
+    int at = row->at;
 
-    point->d = row->d + steps_times(row->d_step, at) +
-               steps_times(steps_times(row->d_twice, (at - odd) / 2), at > 0 ? at - 1 + odd : 0);
+    point->d = row->d + steps_times(row->d_step, at) + times_pairs(row->d_twice, at);
     point->g = row->g + (int64_t)steps_times((uint64_t)row->g_step, at);
     point->b = steps_top(row->b + (int64_t)steps_times((uint64_t)row->b_step, at));
 }
@@ -41,17 +50,13 @@ NOINLINE int steps_decide(const struct colour_steps *steps, uint64_t d, int32_t 
     return more > margin ? 1 : more < -margin ? -1 : 0;
 }
 
-int steps_compare(const struct colour_steps *steps, uint64_t d, int32_t a, int32_t w, int32_t margin, int32_t doubt)
-{
-    int32_t more = steps_square(a) - steps_high(steps_square(w), steps_top((int64_t)d));
-
-    return more > margin ? 1 : more < -margin ? -1 : steps_decide(steps, d, a, w, doubt, 2 * steps->depth_doubt);
-}
-
 int steps_side(const struct colour_steps *steps, const struct step_point *point, int k)
 {
     if (k < 0 || k >= steps->count)
         return k < 0 ? 1 : -1;
-    int32_t w = steps->at[k];
-    return steps_compare(steps, point->d, steps_top(form_at(point, w)), w, steps->margin, steps->fine_doubt);
+    int32_t w = steps->at[k], a = steps_top(form_at(point, w)), margin = steps->margin;
+    int32_t more = steps_square(a) - steps_high(steps_square(w), steps_top((int64_t)point->d));
+    if (more > margin || more < -margin)
+        return more > margin ? 1 : -1;
+    return steps_decide(steps, point->d, a, w, steps->fine_doubt, 2 * steps->depth_doubt);
 }

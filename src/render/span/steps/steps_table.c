@@ -1,11 +1,9 @@
 /* steps_table.c - the steps of a ball's colour, by mantissas of 32 bits. */
-#include "steps.h"
+#include "steps_row.h"
 
-#include "math/integer.h"
 #include "math/noinline.h"
 #include "render/span/span_shift.h"
 #include "scene/colour.h"
-#include "steps_proved.h"
 
 /* m 2^-e; m has its highest bit set, or is 0. Each function cuts its result off. */
 struct mantissa {
@@ -188,6 +186,17 @@ static bool find_exponent(const struct primary_rays *primary, const struct span_
     return shift >= -64 && shift <= 63;
 }
 
+/* Returns the bound of the error of A^2 - (W S)^2, upper words, for all steps. A and W S are off by up to `doubt` in
+ * all, D's upper word by up to `above`. Where they are in the wrong order, A is at most W S + doubt. */
+static int32_t margin_of(const struct colour_steps *steps, int32_t doubt, int32_t above)
+{
+    int32_t first = steps->count ? steps->at[0] : 0, last = steps->count ? steps->at[steps->count - 1] : 0;
+    int32_t most = -first > last ? -first : last; /* |W| */
+    int64_t size = (tia_mul_s32(most, steps->root_most) >> 31) + 2, weight = (tia_mul_s32(most, most) >> 32) + 1;
+
+    return (int32_t)(((size + doubt) * doubt) >> 32) + (int32_t)((weight * above) >> 32) + STEPS_PRODUCTS;
+}
+
 /* Sets the bounds that hold for all of the ball's pixels. */
 static void find_bounds(const struct primary_rays *primary, const struct span_sphere *sphere,
                         struct colour_steps *steps)
@@ -200,13 +209,10 @@ static void find_bounds(const struct primary_rays *primary, const struct span_sp
     steps->root_most = root < INT32_MAX ? (int32_t)root : INT32_MAX;
     steps->depth_doubt = STEPS_BOUND(STEPS_DEPTH) + STEPS_BOUND(STEPS_DEPTH_TURNED) * turned;
     steps->fine_doubt = STEPS_BOUND(STEPS_FINE) + steady;
-    int64_t product = tia_mul_s32(steps->root_most / 2 + steps->root_most / 16 + 1, coarse);
-    steps->margin =
-        (int32_t)((product + tia_mul_s32(coarse, coarse)) >> 32) + steps->depth_doubt / 4 + STEPS_BOUND(STEPS_MARGIN);
+    steps->margin = margin_of(steps, coarse, 2 * steps->depth_doubt);
     steps->walk_doubt = coarse;
-    steps->walk_margin = steps->margin + STEPS_BOUND(STEPS_WALKED) / 4;
+    steps->walk_margin = margin_of(steps, coarse, 2 * steps->depth_doubt + STEPS_BOUND(STEPS_WALKED));
     steps->turn_doubt = STEPS_BOUND(STEPS_WAY) + turned + steps->depth_doubt;
-    steps->turn_margin = steps->turn_doubt + STEPS_BOUND(STEPS_MARGIN);
     steps->turn_shift = (int)span_bits((num_wide)primary->width) - 3;
     steps->turn_shift = steps->turn_shift > 0 ? steps->turn_shift : 0;
 }
@@ -230,6 +236,6 @@ void steps_prepare(const struct primary_rays *primary, const struct light_source
     ball.facing = (int64_t)facing;
     if (!find_exponent(primary, sphere, &ball, steps))
         return;
-    find_bounds(primary, sphere, steps);
     steps->usable = find_steps(&ball, emission, material, steps);
+    find_bounds(primary, sphere, steps);
 }
