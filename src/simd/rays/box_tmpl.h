@@ -27,8 +27,7 @@ LANE_OP struct slab_times slab_times_of(const struct packet *p, vd o, vd d, vd i
     vd size = vabs(d),
        round = (vabs(o) + vset(__builtin_fabs(min) + __builtin_fabs(max))) * BOUND(SLAB_PLANE) + BOUND(SLAB_UNITS);
     vm steep = vlt(BOUND(SLAB_TURN) * p->ed + vset(BOUND(SLAB_STEEP)), size);
-    vd over = 1 / vsel(steep, size - p->ed, vset(1)),
-       off = BOUND_OF(SLAB_LEVEL, p->eo + reach * (p->ed + size) + round);
+    vd over = vabs(inv) * BOUND(SLAB_OVER), off = BOUND_OF(SLAB_LEVEL, p->eo + reach * (p->ed + size) + round);
     vd first = (vset(min) - o) * inv, second = (vset(max) - o) * inv;
     vm between = mand(vlt(vset(min) + off, o), vlt(o, vset(max) - off));
     vm beside = mor(vlt(o + off, vset(min)), vlt(vset(max) + off, o));

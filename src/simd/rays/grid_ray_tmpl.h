@@ -41,8 +41,8 @@ LANE_OP bool set_axis(struct cell_walk *w, int axis)
     w->moves[axis] = size > BOUND(GRID_TURN) * w->ed + BOUND(GRID_STEEP);
     if (!w->moves[axis])
         return false;
-    double over = 1 / (size - w->ed);
     w->inverse[axis] = 1 / w->d[axis];
+    double over = __builtin_fabs(w->inverse[axis]) * BOUND(GRID_OVER);
     w->base[axis] = BOUND_OF(GRID_BASE, (w->eo + round) * over) + BOUND(QUOTIENT_UNIT);
     w->slope[axis] = BOUND_OF(GRID_SLOPE, (w->ed + BOUND(GRID_TIME)) * over);
     return true;

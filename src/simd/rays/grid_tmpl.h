@@ -22,6 +22,7 @@
 struct grid_axis {
     vd a, b, base, slope;
     vd ahead, inverse;          /* |B|, 1/|B| */
+    vd doubt;                   /* largest error of a number by plane_after() while the ray is in the grid */
     vd step, last, stride, end; /* step: 1 or -1; last: number of the last cell; stride: distance in memory to the next
                                    cell along the ray; end: the plane at which the ray leaves */
     vd cell, plane;             /* number of the first cell; the next plane. Planes' numbers are times `step` here. */
@@ -48,16 +49,21 @@ LANE_OP vd of_axis(vm first, vm second, vd a, vd b, vd c)
     return vsel(first, a, vsel(second, b, c));
 }
 
+LANE_OP vd component(const struct v3 *v, int i)
+{
+    return i == 0 ? v->x : i == 1 ? v->y : v->z;
+}
+
 /* Sets an axis, like set_axis() of grid_ray_tmpl.h. Returns the lanes whose rays move along it. */
 LANE_OP vm set_grid_axis(struct grid_axis *x, const struct packet *p, const struct sure_grid *grid, int i,
                          double stride)
 {
-    const vd o = i == 0 ? p->o.x : i == 1 ? p->o.y : p->o.z, d = i == 0 ? p->d.x : i == 1 ? p->d.y : p->d.z;
+    const vd o = component(&p->o, i), d = component(&p->d, i), inverse = component(&p->inv, i);
     double far = grid->edge * grid->from->size[i];
     vd size = vabs(d),
        round = (vset(__builtin_fabs(grid->corner[i]) + far) + vabs(o)) * BOUND(GRID_PLANE) + BOUND(GRID_UNITS);
     vm moves = vlt(BOUND(GRID_TURN) * p->ed + BOUND(GRID_STEEP), size);
-    vd over = 1 / vsel(moves, size - p->ed, vset(1)), inverse = 1 / vsel(moves, d, vset(1));
+    vd over = vabs(inverse) * BOUND(GRID_OVER);
 
     x->back = vlt(d, vset(0));
     x->a = (vset(grid->corner[i]) - o) * inverse;
@@ -118,6 +124,11 @@ LANE_OP vm enter_grids(struct grid_walk *g, vm lanes, vd limit, struct grid_entr
     g->off = vset(0);
     for (int i = 0; i < 3; i++)
         g->off = vmax(g->off, g->axis[i].base + g->axis[i].slope * (out + eout));
+    for (int i = 0; i < 3; i++) {
+        struct grid_axis *x = &g->axis[i];
+        x->doubt = BOUND_OF(GRID_LEAP, 2 * g->off * x->inverse) +
+                   (out + eout + vabs(x->a)) * x->inverse * BOUND(GRID_LEAP_ROUNDING);
+    }
     return mand(lanes, clear);
 }
 
@@ -223,12 +234,11 @@ static __attribute__((noinline)) void end_grids(struct grid_walk *g, const struc
 
 /* Returns the plane that follows the time m along an axis that a ray does not leave the cube along. Clears *certain
  * in the lanes where another plane may. */
-LANE_OP vd plane_after(const struct grid_axis *x, vd m, vd off, vm *certain)
+LANE_OP vd plane_after(const struct grid_axis *x, vd m, vm *certain)
 {
     vd u = (m - x->a) * x->inverse, low = vfloor(u), in = u - low;
-    vd e = BOUND_OF(GRID_LEAP, 2 * off * x->inverse) + (vabs(m) + vabs(x->a)) * x->inverse * BOUND(GRID_LEAP_ROUNDING);
 
-    *certain = mand(*certain, mand(vlt(e, in), vlt(in + e, vset(1))));
+    *certain = mand(*certain, mand(vlt(x->doubt, in), vlt(in + x->doubt, vset(1))));
     return low + 1;
 }
 
@@ -271,7 +281,7 @@ LANE_OP void step_or_leap(struct grid_walk *g, vd limit, bool leaps)
     s.over = mand(mnot(s.open), vlt(limit, m - g->off));
     for (int i = 0; i < 3; i++) {
         vm certain = mnot(mnone());
-        vd next = leaps ? vsel(far, plane_after(&x[i], m, g->off, &certain), x[i].plane) : x[i].plane;
+        vd next = leaps ? vsel(far, plane_after(&x[i], m, &certain), x[i].plane) : x[i].plane;
         stays = mor(stays, mand(mand(far, mnot(along[i])), mnot(certain)));
         plane[i] = vsel(along[i], plane[i], next);
     }

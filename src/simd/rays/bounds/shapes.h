@@ -219,6 +219,10 @@ FORMULA(TRIANGLE_RETURN_POINT);
 /* The least component of the direction, in multiples of its error. Chosen together with SLAB_STEEP. */
 #define BOUND_SLAB_TURN 64
 
+/* 1/(|d| - ed) in multiples of 1/|d|, as ed is below |d|/SLAB_TURN: 64/63, and 2 u for the quotient and the product.
+ * Needed: 1.0159 of 1.016. Unseen: small. */
+#define BOUND_SLAB_OVER 1.016
+
 /* The error of the time t of a plane: (eo + roundings + |t| (ed + 4 u))/(|d| - ed), that of a quotient as in
  * PLANE_DISTANCE. */
 FORMULA(SLAB_TIME);
@@ -273,6 +277,9 @@ FORMULA(SLABS_APART);
 /* The least component of the direction, in multiples of its error. Chosen together with GRID_STEEP. */
 #define BOUND_GRID_TURN 64
 
+/* As SLAB_OVER. Unseen: small. */
+#define BOUND_GRID_OVER 1.016
+
 /* The part of a time's error that does not grow with the time: (eo + roundings)/(|d| - ed), and half a unit in fixed
  * point. */
 FORMULA(GRID_BASE);
@@ -306,12 +313,12 @@ FORMULA(GRID_LEVEL);
  * Unseen: small. */
 #define BOUND_GRID_LEVEL_UNITS (4 * SURE_UNIT)
 
-/* The error of u = (t - A)/B, the number of a plane at the time t of another: both times may be off by the largest error of
- * a time, as in GRID_ORDER, over B. */
+/* The error of u = (t - A)/B, the number of a plane at the time t of another: both times may be off by the largest
+ * error of a time, as in GRID_ORDER, over B. */
 FORMULA(GRID_LEAP);
 
-/* The rounding of u in doubles, relative to (|t| + |A|)/|B|: a difference, 2 u for the inverse of B, which is the product of
- * two rounded numbers, and a product. Needed: 5 of 16 u. Unseen: small. */
+/* The rounding of u in doubles, relative to (|t| + |A|)/|B|: a difference, 2 u for the inverse of B, which is the
+ * product of two rounded numbers, and a product. Needed: 5 of 16 u. Unseen: small. */
 #define BOUND_GRID_LEAP_ROUNDING P2M(49)
 
 /* The largest difference between the times of two planes whose order is undecided: twice the largest error of a time.
