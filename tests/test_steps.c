@@ -264,6 +264,7 @@ TEST(steps_are_those_of_the_formulas)
 #define steps_square halves_square
 #define steps_top halves_top
 #define steps_times halves_times
+#define steps_above halves_above
 #define step_point halves_pixel
 #undef steps_point
 #undef steps_side

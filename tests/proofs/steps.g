@@ -21,6 +21,7 @@ fine = 1 + 0.51 + 0.51 * w + 1;
 depth = 0.25 + 1b-16 + (5 * 3 + 8 * 1b19) * 1b-32 + 1;
 depth_turned = 2 * 2 * 0.51 * 1.02;
 walked = 64 * 1 + 1b-9 * 2048 + 1b-9 * 64 + 0.05;
+walked_up = 1b-9 * 2048 + 1b-9 * 64 + 0.05;
 turned = 0.51 * (1 + 2 * w);
 margin = 1 + 1 + 0.25 + 2;
 halves = 3 * (1 + 1 + 0.25) + 2;
@@ -35,5 +36,5 @@ way_turned = 0.25 * 0.5 + 0.25 + 0.5 * (0.25 * 0.5 + 0.25 + 0.125 + 0.5 * 0.5);
   /\ i1 in [-17b-35,1b-33] /\ i2 in [-17b-35,1b-33] /\ i3 in [-17b-35,1b-33]
   /\ k in [0,1] /\ q in [0.5,1] /\ u in [0,1] /\ v in [0,1] /\ w in [0,0.27]
   -> word in [-STEPS_WORD,STEPS_WORD] /\ coarse <= STEPS_COARSE /\ fine <= STEPS_FINE /\ depth <= STEPS_DEPTH
-  /\ depth_turned <= STEPS_DEPTH_TURNED /\ walked <= STEPS_WALKED /\ turned <= STEPS_TURNED /\ margin <= STEPS_MARGIN
-  /\ halves <= STEPS_HALVES_MARGIN /\ way <= STEPS_WAY /\ way_depth <= 1 /\ way_turned <= 1 }
+  /\ depth_turned <= STEPS_DEPTH_TURNED /\ walked <= STEPS_WALKED /\ walked_up <= STEPS_WALKED_UP
+  /\ turned <= STEPS_TURNED /\ margin <= STEPS_MARGIN /\ halves <= STEPS_HALVES_MARGIN /\ way <= STEPS_WAY /\ way_depth <= 1 /\ way_turned <= 1 }

@@ -43,9 +43,13 @@
  * the product's lower half, 1. 2.8 of 4. Unseen: small. */
 #define STEPS_FINE 4
 
-/* The error of D's upper word in steps_walk after 64 pixels: a step is cut off, 1 each; steps have a fraction of 8
- * bits, off by 2^-9, of which there are 64^2/2 and 64; 68.2 of 70. Unseen: small. */
+/* How much too small D's upper word is in steps_walk after 64 pixels, where this bound is added at first: a step is cut
+ * off, 1 each; steps have a fraction of 8 bits, off by 2^-9, of which there are 64^2/2 and 64; 68.2 of 70. Unseen:
+ * small. */
 #define STEPS_WALKED 70
+
+/* How much too large it is without that, by the steps' fractions alone; 4.2 of 5. Unseen: small. */
+#define STEPS_WALKED_UP 5
 
 /* The error of the upper words of A^2 - W^2 D, without those of A, W S and D: three products, each cut off by 1, of
  * which W^2 counts D/2^32, a quarter: 1 + 1 + .25; and two for the cuts in margin_of. 4.3 of 5. Unseen: small. */

@@ -59,6 +59,12 @@ static inline uint64_t steps_times(uint64_t x, int n)
 /* Returns a b/2^64, too small by less than 3. */
 int64_t steps_upper(int64_t a, int64_t b);
 
+/* Returns how much too large D's upper word may be in steps_walk. */
+static inline int32_t steps_above(const struct colour_steps *steps)
+{
+    return STEPS_BOUND(STEPS_WALKED) + STEPS_BOUND(STEPS_WALKED_UP) + 2 * steps->depth_doubt;
+}
+
 /* A pixel of a row: D and G.v, and the upper word of L.v. */
 struct step_point {
     uint64_t d;

@@ -211,7 +211,7 @@ static void find_bounds(const struct primary_rays *primary, const struct span_sp
     steps->fine_doubt = STEPS_BOUND(STEPS_FINE) + steady;
     steps->margin = margin_of(steps, coarse, 2 * steps->depth_doubt);
     steps->walk_doubt = coarse;
-    steps->walk_margin = margin_of(steps, coarse, 2 * steps->depth_doubt + STEPS_BOUND(STEPS_WALKED));
+    steps->walk_margin = margin_of(steps, coarse, steps_above(steps));
     steps->turn_doubt = STEPS_BOUND(STEPS_WAY) + turned + steps->depth_doubt;
     steps->turn_shift = (int)span_bits((num_wide)primary->width) - 3;
     steps->turn_shift = steps->turn_shift > 0 ? steps->turn_shift : 0;
@@ -237,5 +237,6 @@ void steps_prepare(const struct primary_rays *primary, const struct light_source
     if (!find_exponent(primary, sphere, &ball, steps))
         return;
     steps->usable = find_steps(&ball, emission, material, steps);
-    find_bounds(primary, sphere, steps);
+    if (steps->usable)
+        find_bounds(primary, sphere, steps);
 }

@@ -34,7 +34,7 @@ static NOINLINE int settle(const struct walk *walk, const tia_rgb565 *pixel, int
 {
     struct step_row *row = walk->row;
     int side = steps_decide(row->steps, (uint64_t)(uint32_t)d << 32, walk->way * a, row->steps->at[k],
-                            row->steps->walk_doubt, STEPS_BOUND(STEPS_WALKED) + 2 * row->steps->depth_doubt);
+                            row->steps->walk_doubt, steps_above(row->steps));
     struct step_point point;
 
     if (side)
