@@ -37,4 +37,5 @@ way_turned = 0.25 * 0.5 + 0.25 + 0.5 * (0.25 * 0.5 + 0.25 + 0.125 + 0.5 * 0.5);
   /\ k in [0,1] /\ q in [0.5,1] /\ u in [0,1] /\ v in [0,1] /\ w in [0,0.27]
   -> word in [-STEPS_WORD,STEPS_WORD] /\ coarse <= STEPS_COARSE /\ fine <= STEPS_FINE /\ depth <= STEPS_DEPTH
   /\ depth_turned <= STEPS_DEPTH_TURNED /\ walked <= STEPS_WALKED /\ walked_up <= STEPS_WALKED_UP
-  /\ turned <= STEPS_TURNED /\ margin <= STEPS_MARGIN /\ halves <= STEPS_HALVES_MARGIN /\ way <= STEPS_WAY /\ way_depth <= 1 /\ way_turned <= 1 }
+  /\ turned <= STEPS_TURNED /\ margin <= STEPS_MARGIN /\ halves <= STEPS_HALVES_MARGIN
+  /\ way <= STEPS_WAY /\ way_depth <= 1 /\ way_turned <= 1 }
