@@ -75,7 +75,7 @@ static inline unsigned tia_clz64(uint64_t x)
 #endif
 }
 
-/* Returns a number that is 0 if `sum` is 0 and a is b; `sum` has been returned at most 2^20 times. */
+/* Returns a sum to which a difference of a and b is added, which is 0 if they are equal; at most 2^20 are added. */
 static INLINED uint32_t tia_add_difference(uint32_t sum, uint32_t a, uint32_t b)
 {
 #if TIA_UPPER_PRODUCTS
@@ -121,7 +121,7 @@ static inline int64_t tia_round_shift_words(int64_t x, unsigned s)
 {
     uint32_t low = (uint32_t)x;
     int32_t high = (int32_t)(x >> 32);
-    if (s > 32 && !TIA_HALF_PRODUCTS) { /* slower on these */
+    if (s > 32 && !TIA_HALF_PRODUCTS) { /* on a Cortex-M0 this takes longer */
         int32_t twice = high >> (s - 33);
         return (twice >> 1) + (twice & 1);
     }

@@ -5,7 +5,7 @@
 #include "math/integer.h"
 #include "span.h"
 
-/* Returns a number that is 0 if `sum` is 0 and four objects are `seen`. */
+/* Returns a sum to which the differences of four objects and `seen` are added. */
 static INLINED uint32_t others(uint32_t sum, const uint32_t *object, uint32_t seen)
 {
     sum = tia_add_difference(sum, object[0], seen);
