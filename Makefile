@@ -404,12 +404,17 @@ LONG  := $(addprefix tests/slow/,sanitised arch vm build-matrix accuracy)
 # tests/slow/accuracy runs the one that is left out.
 QUICK := $(sort $(wildcard tests/quick/*)) $(filter-out $(BUILD)/tests/test_rays_accuracy,$(TESTS))
 SLOW  := $(LONG) $(filter-out $(LONG),$(sort $(wildcard tests/slow/*)))
+# Left out by check-quick: they take two seconds or more.
+LONGER := $(addprefix tests/quick/,background benchmark compare convert denoise editors exact eye far-lights headers mirrors moves osmesa palettes \
+  resume shadows telltales words) \
+  $(addprefix $(BUILD)/tests/test_,bounds compiled frames gl_picture gl_raster mirrors osmesa ray_bounds shadow_curved shapes shapes_chk shapes_f64 \
+  simd_rays simd_shadows simd_spans simd_stack span_error span_exact)
 TOOLS := $(PROGRAMS:%=$(BUILD)/%)
 export BUILD CC F64
 VM_PROGRAMS := $(BUILD)/vm/probe $(BUILD)/vm/controller
 tests: $(TESTS) $(TOOLS) $(VM_PROGRAMS) $(BUILD)/tests/scene_words
 check-quick: all tests
-	@CHECK_QUICK=yes $(on_all_cores) $(QUICK)
+	@CHECK_QUICK=yes $(on_all_cores) $(filter-out $(LONGER),$(QUICK))
 check: all tests
 	@$(on_all_cores) $(SLOW) $(QUICK)
 
@@ -460,7 +465,7 @@ help:
 	@echo "run                shows the picture"
 	@echo "deps               installs what a build can use (Debian 12); deps run: what run needs;"
 	@echo "                   deps check: what the tests use as well"
-	@echo "check-quick        the tests that take seconds; check: all of them"
+	@echo "check-quick        the tests that take a second or two; check: all of them"
 	@echo "test T=NAME C=CASE one test, or one case of it: make test T=ray_bounds C=scene_files"
 	@echo "check-boards prove                             parts of check"
 	@echo "check-accuracy check-exact check-arch check-freestanding check-matrix check-simd check-denoise check-threads check-deb check-light check-vm fuzz   parts of check, for longer"
