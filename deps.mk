@@ -22,7 +22,7 @@ DEPS_CHECK := make python3 clang clang-format libclang-rt-14-dev universal-ctags
         arduino-builder arduino-ctags arduino-core-avr picolibc-arm-none-eabi \
         python3-setuptools python3-wheel python3-pip python3-pytest \
         gcc-avr avr-libc libsimavr-dev libelf-dev sweethome3d-furniture assimp-testmodels glmark2-data \
-        shared-mime-info openexr \
+        shared-mime-info openexr chafa \
         vim nano python3-pygments python3-gi gir1.2-gtksource-4
 deps_of_run := $(DEPS_BUILD)
 deps_of_all := $(DEPS_BUILD) $(DEPS_ALL)
