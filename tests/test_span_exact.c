@@ -113,7 +113,7 @@ TEST(scenes_of_any_magnitude)
 
 static struct tia_material materials[4];
 static struct tia_sphere spheres[8];
-static struct tia_light lights[3];
+static struct tia_light lights[12];
 static struct tia_scene scene;
 
 static void start(double fov)
@@ -164,6 +164,28 @@ TEST(lamps)
             light(19661, 78643 + (place == 0 ? 0 : radii[i] - (place == 1 ? 4 : -1)), -1356595, 0);
             try_made("lamp", 3 * i + place);
         }
+}
+
+/* Many grey lights above balls of every material: their sum is below, at and above 3, up to which the light is summed
+ * before it gets the material's colour, and far above what a word holds. */
+TEST(grey_lights)
+{
+    static const double emissions[] = {.25, .9, 1, 1.9};
+    static const int counts[] = {2, 3, 4, 12};
+
+    for (unsigned i = 0; i < 16; i++) {
+        tia_q30 e = (tia_q30)lround(emissions[i / 4] * TIA_Q30_ONE);
+        start(50);
+        materials[1].transmission = (struct tia_rgb)TIA_RGB(0, 0, 0);
+        ball(0, U(-1002), U(-20), U(1000), i % 2 ? 3 : 0);
+        for (int j = 0; j < 6; j++)
+            ball(U(-5 + 2 * j), U(-1 + j % 2), U(-12 - j % 3), U(.9), (uint32_t)(j % 4));
+        for (int l = 0; l < counts[i % 4]; l++) {
+            light(U(-9 + 1.5 * l), U(11 + l % 3), U(-10 + l % 5), 0);
+            lights[l].emission = (struct tia_rgb){e, e, e};
+        }
+        try_made("grey", i);
+    }
 }
 
 /* Far and tiny balls, and a light near one's surface. */
@@ -283,6 +305,7 @@ int main(int argc, char **argv)
     RUN(random_corpus);
     RUN(scenes_of_any_magnitude);
     RUN(lamps);
+    RUN(grey_lights);
     RUN(far_and_tiny_balls);
     RUN(ties);
     RUN(the_eye_in_balls);

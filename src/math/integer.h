@@ -64,6 +64,18 @@ static inline unsigned tia_clz32(uint32_t x)
 #endif
 }
 
+/* Returns the number of trailing zero bits of x, not 0. */
+static inline unsigned tia_ctz32(uint32_t x)
+{
+    unsigned zeros = 0;
+
+    if (TIA_COUNTS_ZEROS)
+        return 31 - tia_clz32(x & (0 - x));
+    while (!(x >> zeros & 1)) /* few, as a rule */
+        zeros++;
+    return zeros;
+}
+
 /* Returns the number of leading zero bits of x, not 0. */
 static inline unsigned tia_clz64(uint64_t x)
 {

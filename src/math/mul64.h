@@ -7,6 +7,14 @@
 
 #include <stdint.h>
 
+/* Hides from the compiler where a word comes from. Otherwise gcc for a 32-bit machine may widen a factor once for
+ * several products, and then multiply 64 x 64 bits each time, or compute a word twice. */
+#if defined(__GNUC__) && UINTPTR_MAX == UINT32_MAX
+#define TIA_OPAQUE(x) __asm__("" : "+r"(x))
+#else
+#define TIA_OPAQUE(x) (void)(x)
+#endif
+
 #if TIA_HALF_PRODUCTS
 
 /* The multiplier gives only the lower 32 bits.
@@ -58,14 +66,6 @@ SHARED int64_t tia_mul_s32(int32_t a, int32_t b)
 
 #else
 
-/* Hides from the compiler that a factor was widened from 32 bits elsewhere. Otherwise gcc for a 32-bit machine may
- * widen a factor once for several products, and then multiply 64 x 64 bits each time. */
-#if defined(__GNUC__) && UINTPTR_MAX == UINT32_MAX
-#define TIA_OPAQUE(x) __asm__("" : "+r"(x))
-#else
-#define TIA_OPAQUE(x) (void)(x)
-#endif
-
 static INLINED_IN_WORDS uint64_t tia_mul_u32(uint32_t a, uint32_t b)
 {
     return (uint64_t)a * b;
@@ -89,6 +89,18 @@ static INLINED_IN_WORDS int32_t tia_high_s32(int32_t a, int32_t b)
     return high;
 #else
     return (int32_t)(tia_mul_s32(a, b) >> 32);
+#endif
+}
+
+/* Adds a b/2^32 to `sum`. `rest` is a fraction of it, less than 1, where the processor adds products; elsewhere the
+ * product is cut off. */
+static INLINED_IN_WORDS void tia_add_high_s32(int32_t *sum, uint32_t *rest, int32_t a, int32_t b)
+{
+#if TIA_ADDS_PRODUCTS
+    __asm__("smlal %0, %1, %2, %3" : "+r"(*rest), "+r"(*sum) : "r"(a), "r"(b));
+#else
+    (void)rest;
+    *sum = (int32_t)((uint32_t)*sum + (uint32_t)tia_high_s32(a, b));
 #endif
 }
 

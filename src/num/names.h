@@ -60,6 +60,7 @@
 #define span_casters_size NAMES(span_casters_size)
 #define span_next_caster NAMES(span_next_caster)
 #define span_coarse_point NAMES(span_coarse_point)
+#define span_error_coarse NAMES(span_error_coarse)
 #define span_casters_find NAMES(span_casters_find)
 #define span_casters_place NAMES(span_casters_place)
 #define span_casters_put NAMES(span_casters_put)

@@ -148,14 +148,17 @@ int span_set_lights(struct tia_view *view)
 {
     struct span_view *spans = view->prepared;
     struct cancel cancel = view_cancel(view);
+    uint32_t left = (uint32_t)3 << 30;
 
     spans->grey = spans->grey_shadows;
     for (uint32_t i = 0; i < view->light_count && !cancelled(&cancel, 1); i++) {
         const struct tia_light *light = &view->lights[i];
         spans->grey = spans->grey && colour_is_grey(&light->emission);
+        left = left > (uint32_t)light->emission.r ? left - (uint32_t)light->emission.r : 0;
         prepare_sphere(view, view->scene->sphere_count + i, light->centre, light->radius);
         span_casters_find(&spans->casters, i, &cancel);
     }
+    spans->dim = spans->grey && left > 0;
     if (!cancel.stopped)
         set_steps(view);
     return cancel.stopped ? TIA_STOPPED : TIA_OK;

@@ -23,7 +23,9 @@ struct span_shadows {
     uint8_t near[(TIA_SPAN_SPHERES + 7) / 8];
     struct span reach; /* all pixels of parts that are not lit */
     struct coarse_ball around, end[2], ball[CHUNK / SHADOW_PART];
-    num sag; /* no point is farther from the line between the ends */
+    num sag;   /* no point is farther from the line between the ends */
+    num doubt; /* bound of the error of a point in struct coarse_ball's unit, its rounding included; 0: by its distance
+                */
 };
 
 /* Functions that decide many pixels at once, see coherence.h and words_shade.h. */
@@ -32,7 +34,7 @@ struct span_coherence {
     bool (*shadows)(const struct span_view *spans, const struct shaded_span *span, uint32_t light,
                     struct span_shadows *shadows);
     void (*lights)(struct span_shading *s);
-    bool (*add)(struct span_shading *s, const num_u *lambert, const num_u product[3]);
+    bool (*add)(struct span_shading *s, const num_u *lambert, const struct tia_light *light, const num_u product[3]);
 };
 
 /* The prepared view. All positions are relative to the eye: the point at a pixel is P = t v. */
@@ -47,6 +49,7 @@ struct span_view {
     bool tinted;              /* some material transmits shadow rays */
     bool grey_shadows;        /* the transmissions of all materials are grey */
     bool grey;                /* grey_shadows, and the colours of all lights are grey */
+    bool dim;                 /* so, and their sum is below 3 */
 };
 
 static inline const struct span_view *span_view_of(const struct tia_view *view)

@@ -1,5 +1,6 @@
 #include "span_casters.h"
 
+#include "math/integer.h"
 #include "math/noinline.h"
 
 /* ---- the test ---- */
@@ -57,16 +58,19 @@ static inline bool is_clear(const struct span_hull *h, const struct coarse_ball 
 
 /* |v| is below 2^30. */
 bool span_coarse_point(const struct primary_rays *primary, const struct span_sphere *sphere, int x, int y, num_u t,
-                       struct coarse_ball *ball)
+                       num doubt, struct coarse_ball *ball)
 {
-    num_u doubt = num_distance_doubt(t, sphere->doubt_shift, sphere->doubt);
     num_wide across = num_pixel_coordinate(2 * x + 1 - primary->width, primary->exponent);
     int shift = 14 - sphere->t_exponent - primary->exponent;
 
+    ball->radius = doubt;
     ball->x = (num)span_shift(num_mul(num_signed(t), (num)across), shift);
     ball->y = (num)span_shift(num_mul(num_signed(t), (num)primary_y(primary, y)), shift);
     ball->z = (num)-span_shift(num_mul(num_signed(t), (num)primary->depth), shift);
-    num_wide radius = span_shift(num_up((num_wide)doubt, 30), shift);
+    if (ball->radius)
+        return true;
+    num_wide radius =
+        span_shift(num_up((num_wide)num_distance_doubt(t, sphere->doubt_shift, sphere->doubt), 30), shift);
     ball->radius = (num)radius + 2;
     return span_bits(radius) < 29;
 }
@@ -182,10 +186,10 @@ uint32_t span_next_in(const struct span_casters *casters, const uint8_t *list, u
     uint32_t j = from;
 
     while (j < casters->count) {
-        unsigned rest = (unsigned)list[j >> 3] >> (j & 7);
-        if (rest & 1)
-            return j;
-        j = rest ? j + 1 : (j | 7) + 1;
+        uint32_t rest = (uint32_t)list[j >> 3] >> (j & 7);
+        if (rest)
+            return j + tia_ctz32(rest);
+        j = (j | 7) + 1;
     }
     return casters->count;
 }

@@ -68,8 +68,9 @@ void span_hull_of(const struct coarse_ball *ball, const struct coarse_ball *ligh
  * NUM_CERTIFIED. */
 bool span_hull_clears(const struct span_hull *hull, const struct coarse_ball *caster);
 
-/* Surrounds the point of pixel (x, y) of a sphere, whose distance is about t; false if t is too inaccurate. */
+/* Surrounds the point of pixel (x, y) of a sphere, whose distance is about t; false if t is too inaccurate. `doubt`
+ * bounds the error of the ball's centre; 0: t says how large it is. */
 bool span_coarse_point(const struct primary_rays *primary, const struct span_sphere *sphere, int x, int y, num_u t,
-                       struct coarse_ball *ball);
+                       num doubt, struct coarse_ball *ball);
 
 #endif

@@ -8,6 +8,8 @@
 /* ---- logarithms ---- */
 
 #define ONE 256
+#define COARSE 14              /* the exponent of a struct coarse_ball */
+#define COARSE_MOST (20 * ONE) /* a choice: with larger errors no shadow is decided */
 
 static ONCE_IN_FLASH int log_down(num_wide x)
 {
@@ -128,6 +130,13 @@ void span_error_points(const struct primary_rays *primary, const struct span_sph
         error->point = error->mantissa + v < tangent ? error->mantissa + v : tangent;
     }
     error->radius = log_down(sphere->radius) - 16 * ONE;
+}
+
+num span_error_coarse(const struct span_error *error)
+{
+    int moved = error->point + error->t + COARSE * ONE;
+
+    return error->t < 0 && moved < COARSE_MOST ? (num)num_bound_of_log(moved) + 2 : 0;
 }
 
 void span_error_of(const struct light_source *source, const struct light_line *line, struct span_error *error)

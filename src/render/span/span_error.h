@@ -31,6 +31,10 @@ struct span_depth span_depth_of(const struct span_sphere *sphere, num_u top, num
 void span_error_points(const struct primary_rays *primary, const struct span_sphere *sphere,
                        const struct span_depth ends[2], num_wide v_most, struct span_error *error);
 
+/* Returns the bound of the points' errors for span_coarse_point(), rounding included; 0 if it is unknown or too large.
+ */
+num span_error_coarse(const struct span_error *error);
+
 /* Sets the bounds of a light there. */
 void span_error_of(const struct light_source *source, const struct light_line *line, struct span_error *error);
 

@@ -21,8 +21,8 @@ tia_rgb565 span_shade_exactly(const struct tia_view *view, const struct shaded_s
     struct exact_picture picture = span_picture_of(view);
     struct polled polled = {.lit = {.casters = &spans->casters, .object = one->object}, .view = view};
 
-    polled.lit.surrounded =
-        span_coarse_point(&spans->primary, &spans->spheres[one->object], one->x, one->y, one->t[0], &polled.lit.around);
+    polled.lit.surrounded = span_coarse_point(&spans->primary, &spans->spheres[one->object], one->x, one->y, one->t[0],
+                                              0, &polled.lit.around);
     picture.next_caster = next_caster_until_stopped;
     picture.lit = &polled;
     return tia_exact_shade(&picture, one->x, one->y, one->object, (tia_q30)threshold, one->colours, one->path_hash);

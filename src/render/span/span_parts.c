@@ -58,7 +58,7 @@ static bool find_point(struct division *d, int at, struct coarse_ball *ball)
     d->line.b = d->b + (num_wide)at * d->line.b_step;
     d->line.square.start = num_up(num_square(first) + d->row_square, primary->square_shift) + NUM_HALF;
     d->spans->kernels->sphere(&d->line, &t);
-    return span_coarse_point(primary, d->sphere, d->x + at, d->y, t, ball);
+    return span_coarse_point(primary, d->sphere, d->x + at, d->y, t, 0, ball);
 }
 
 static num_wide size_of(num_wide x, num_wide y, num_wide z)

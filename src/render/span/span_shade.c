@@ -131,7 +131,7 @@ NOINLINE void span_add_light(struct span_shading *s, const struct tia_light *lig
         s->doubt += num_light_doubt(greatest(product), log, tint ? s->view->scene->sphere_count : 0);
     if (s->bounded && doubt > 0)
         s->doubt += num_colour_product(greatest(product), doubt) + 1;
-    if (s->words && s->spans->coherence->add(s, lambert, product))
+    if (s->words && s->spans->coherence->add(s, lambert, light, product))
         return;
     for (int c = 0; c < (s->grey ? 1 : 3); c++) {
         num_u tinted[CHUNK];
@@ -290,12 +290,14 @@ static bool find_ends(const struct span_shading *s, struct span_depth ends[2])
 /* Sets the sums to the emission, in eights of pixels, as pack() reads them. */
 static void begin_sums(struct span_shading *s)
 {
-    const struct tia_rgb *emission = &s->material->emission;
+    const struct tia_rgb *emission = &s->material->emission, black = {0, 0, 0};
+
+    emission = s->uncoloured ? &black : emission;
     const num_u colour[3] = {num_colour(emission->r), num_colour(emission->g), num_colour(emission->b)};
 
     int count = (s->span->count + 7) & ~7;
 
-    for (int c = 0; c < (s->grey ? 1 : 3); c++)
+    for (int c = 0; c < (s->grey || s->uncoloured ? 1 : 3); c++)
         for (int i = 0; i < count; i += 4)
             s->sum[c][i] = s->sum[c][i + 1] = s->sum[c][i + 2] = s->sum[c][i + 3] = colour[c];
 }
@@ -337,6 +339,8 @@ static NOINLINE pixel_set shade(const struct tia_view *view, struct shaded_span 
         span_error_points(&s.spans->primary, &s.spans->spheres[span->object], s.ends, num_bound(30), &s.error);
     s.shadows.tried = s.shadows.divided = false;
     s.words = NUM_CERTIFIED && span->count >= WORTH && is_worded(&s);
+    s.uncoloured = s.words && s.spans->dim;
+    s.shadows.doubt = s.words ? span_error_coarse(&s.error) : 0;
     begin_sums(&s);
     if (s.words)
         s.spans->coherence->lights(&s);

@@ -11,7 +11,8 @@ struct span_shading {
     const struct tia_view *view;
     const struct span_view *spans;
     const struct tia_material *material;
-    bool grey; /* red serves as all three channels */
+    bool grey;       /* red serves as all three channels */
+    bool uncoloured; /* sum[0] is the light, which is grey: the material's colour comes last, see words_shade.h */
     num_u sum[3][CHUNK];
     num_u most;                /* limit of the sums */
     num_u doubt;               /* bound of the sums' errors */

@@ -24,6 +24,7 @@ void tia_simd_crowd(const struct tia_view *view, uint32_t sphere, int y, int fir
 
     crowd->span = (struct shaded_span){sphere, first, y, end - first, crowd->t, NULL, NULL};
     crowd->shadows.tried = crowd->shadows.divided = false;
+    crowd->shadows.doubt = 0;
     for (int i = 0; i < 3; i++)
         span_distances(span_view_of(view), sphere, y, first + at[i], 1, &crowd->t[at[i]]);
     (void)coherence_around(span_view_of(view), &crowd->span, &crowd->shadows);

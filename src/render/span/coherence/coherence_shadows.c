@@ -2,6 +2,7 @@
  * parts. */
 #include "coherence.h"
 
+#include "math/integer.h"
 #include "math/noinline.h"
 #include "render/span/span_parts.h"
 
@@ -19,7 +20,7 @@ static num length_of(num x, num y, num z)
 
 /* Surrounds the points of pixels first..last, exact or as the kernels compute them. From outside a row's points lie on
  * less than half of a circle: one at an end is the farthest from the middle. False if t is too inaccurate. */
-static bool surround(const struct span_view *spans, const struct shaded_span *span, int first, int last,
+static bool surround(const struct span_view *spans, const struct shaded_span *span, num doubt, int first, int last,
                      struct coarse_ball *ball, struct coarse_ball end[2])
 {
     const struct span_sphere *sphere = &spans->spheres[span->object];
@@ -27,11 +28,11 @@ static bool surround(const struct span_view *spans, const struct shaded_span *sp
     int middle = first + (last - first) / 2;
     num most = 0;
 
-    if (!span_coarse_point(primary, sphere, span->x + middle, span->y, span->t[middle], ball))
+    if (!span_coarse_point(primary, sphere, span->x + middle, span->y, span->t[middle], doubt, ball))
         return false;
     for (int i = 0; i < 2; i++) {
         int at = i ? last : first;
-        if (!span_coarse_point(primary, sphere, span->x + at, span->y, span->t[at], &end[i]))
+        if (!span_coarse_point(primary, sphere, span->x + at, span->y, span->t[at], doubt, &end[i]))
             return false;
         num far = length_of(end[i].x - ball->x, end[i].y - ball->y, end[i].z - ball->z) / 2 + end[i].radius / 2;
         most = most > far ? most : far;
@@ -49,7 +50,8 @@ static NOINLINE void find_ball(const struct span_view *spans, const struct shade
     const struct span_sphere *sphere = &spans->spheres[span->object];
 
     shadows->tried = true;
-    shadows->known = sphere->c > 0 && surround(spans, span, 0, span->count - 1, &shadows->around, shadows->end);
+    shadows->known =
+        sphere->c > 0 && surround(spans, span, shadows->doubt, 0, span->count - 1, &shadows->around, shadows->end);
     if (!shadows->known)
         return;
     num_wide sag = span_sag(sphere, &shadows->end[0], &shadows->end[1]);
@@ -68,7 +70,7 @@ static NOINLINE void find_balls(const struct span_view *spans, const struct shad
     for (int first = 0; first < count; first += SHADOW_PART) {
         int last = first + SHADOW_PART < count ? first + SHADOW_PART - 1 : count - 1;
         struct coarse_ball *ball = &shadows->ball[first / SHADOW_PART];
-        if (!surround(spans, span, first, last, ball, ends))
+        if (!surround(spans, span, shadows->doubt, first, last, ball, ends))
             *ball = shadows->around;
     }
 }
@@ -82,15 +84,16 @@ struct slab {
     num_wide low, high;
 };
 
-/* Cuts a vector to 14 bits. */
+/* Cuts the components of a vector to 14 bits and a sign. */
 static void shorten(num v[3])
 {
-    num_wide most = 0;
+    uint32_t bits = 1;
 
     for (int i = 0; i < 3; i++)
-        most = num_abs(v[i]) > most ? num_abs(v[i]) : most;
+        bits |= (uint32_t)(v[i] < 0 ? -v[i] : v[i]);
+    int down = 18 - (int)tia_clz32(bits);
     for (int i = 0; i < 3; i++)
-        v[i] = (num)span_shift(v[i], -num_larger(span_bits(most) - 14, 0));
+        v[i] = (num)((int32_t)v[i] >> (down > 0 ? down : 0));
 }
 
 static inline num_wide along(const struct slab *s, const struct coarse_ball *p)

@@ -38,13 +38,56 @@ void words_points(const struct primary_rays *primary, const struct span_sphere *
     uint32_t most = (uint32_t)t[0] > (uint32_t)t[count - 1] ? (uint32_t)t[0] : (uint32_t)t[count - 1];
 
     points->up = (int)tia_clz32(most + (most >> 8) + 1) - 1;
-    points->exponent = 2 * (sphere->t_exponent + points->up) + 2 * primary->exponent + primary->square_shift - 93;
+    points->exponent = 2 * (sphere->t_exponent + points->up) + 2 * primary->exponent + primary->square_shift - 94;
+    points->middle = count / 2;
+    points->spread = 32 - (int)tia_clz32((uint32_t)points->middle | 1);
+    const int32_t next = (int32_t)1 << (31 - points->spread);
     for (int i = 0; i < count; i++) {
-        points->t[i] = (uint32_t)t[i] << points->up;
-        points->reach[i] = words_high(words_high(points->t[i] << 1, points->t[i] << 1), (uint32_t)(v >> 32) << 1);
+        struct word_point *point = &points->point[i];
+        uint32_t word = (uint32_t)t[i] << points->up;
+        point->t = (int32_t)word;
+        if (!TIA_HALF_PRODUCTS)
+            point->across = (int32_t)(tia_mul_s32(point->t, (i - points->middle) * next) >> 31);
+        point->reach = (int32_t)words_high(words_high(word << 1, word << 1), (uint32_t)(v >> 32));
         v += step;
         step += twice;
     }
+}
+
+/* ---- forms ---- */
+
+/* A linear form of v, times 2^32: where products of words are quick, a product with t and one with `across` take the
+ * place of an accumulator. */
+struct word_form {
+    int64_t now;  /* at the next pixel, or in the middle of the row */
+    int64_t step; /* from one pixel to the next, or from the middle over 2^spread pixels */
+};
+
+static struct word_form form_of(const struct word_points *points, num_wide start, num_wide step, int shift)
+{
+    num_wide middle = TIA_HALF_PRODUCTS ? start : start + (num_wide)points->middle * step;
+    int over = TIA_HALF_PRODUCTS ? 0 : points->spread;
+    struct word_form form = {(int64_t)span_shift(middle, shift), (int64_t)span_shift(step, shift + over)};
+
+    return form;
+}
+
+/* Adds the form times t to a word. */
+static INLINED_IN_WORDS void add_form(int32_t *sum, uint32_t *rest, const struct word_form *form,
+                                      const struct word_point *point)
+{
+    if (TIA_HALF_PRODUCTS) {
+        *sum += high_signed(point->t, (int32_t)(form->now >> 32));
+    } else {
+        tia_add_high_s32(sum, rest, point->t, (int32_t)(form->now >> 32));
+        tia_add_high_s32(sum, rest, point->across, (int32_t)(form->step >> 32));
+    }
+}
+
+static INLINED_IN_WORDS void form_next(struct word_form *form)
+{
+    if (TIA_HALF_PRODUCTS)
+        form->now += form->step;
 }
 
 /* ---- a run of pixels of a light ---- */
@@ -54,33 +97,46 @@ void words_points(const struct primary_rays *primary, const struct span_sphere *
  * cosine. So f is below 2^32. */
 struct words {
     const struct word_points *points;
-    int32_t facing;               /* constant of f, as a word */
-    uint32_t doubt;               /* bound of the error of f's word */
-    uint32_t distance;            /* constant of |w|^2, as a word */
-    int exponent;                 /* that of |w|^2's word */
-    int reach_down;               /* from |P|^2's word to it */
-    uint32_t square_doubt;        /* bound of the error of |w|^2's word */
-    int moved;                    /* logarithm of the error of P, in 256ths */
-    int facing_scale;             /* e/2 plus this is `up` */
-    int up, square_up;            /* from f's word to f, and from |w|^2's to q */
-    uint32_t inverse;             /* 1/R */
-    uint32_t worst;               /* largest bound of the cosines so far */
-    uint32_t y, step;             /* that of the last pixel, and its difference to the one before */
-    int64_t g, g_step, q, q_step; /* accumulators of G.v and Q.v for the words of t */
+    int32_t facing;        /* constant of f, as a word */
+    uint32_t doubt;        /* bound of the error of f's word */
+    uint32_t distance;     /* constant of |w|^2, as a word */
+    int exponent;          /* that of |w|^2's word */
+    int reach_down;        /* from |P|^2's word to it */
+    int32_t reach_factor;  /* the same as a factor, 2^(32 - reach_down) */
+    uint32_t square_doubt; /* bound of the error of |w|^2's word */
+    int moved;             /* logarithm of the error of P, in 256ths */
+    int facing_scale;      /* e/2 plus this is `up` */
+    int up, square_up;     /* from f's word to f, and from |w|^2's to q */
+    uint32_t inverse;      /* 1/R */
+    uint32_t worst;        /* largest bound of the cosines so far */
+    uint32_t y;            /* that of the next pixel, about */
+    struct word_form g, q; /* G.v and -2 Q.v for the words of t */
     uint32_t least, reach; /* the smallest word of |w|^2 in the run, and the largest one, minus the smallest one */
     int at, count;         /* the next pixel */
     num_u *lambert;
 };
 
-static inline int32_t facing_at(const struct words *w, int64_t g, int i)
+static INLINED_IN_WORDS int32_t facing_at(const struct words *w, uint32_t *rest, const struct word_form *g,
+                                          const struct word_point *point)
 {
-    return w->facing + high_signed((int32_t)w->points->t[i], (int32_t)(g >> 32));
+    int32_t facing = w->facing;
+
+    add_form(&facing, rest, g, point);
+    return facing;
 }
 
-static inline uint32_t square_at(const struct words *w, int64_t q, int i)
+/* Returns |w|^2 as a word, less `below`. */
+static INLINED_IN_WORDS uint32_t square_at(const struct words *w, uint32_t below, uint32_t *rest,
+                                           const struct word_form *q, const struct word_point *point)
 {
-    return w->distance + (w->points->reach[i] >> w->reach_down) -
-           2 * (uint32_t)high_signed((int32_t)w->points->t[i], (int32_t)(q >> 32));
+    int32_t square = (int32_t)(w->distance - below);
+
+    add_form(&square, rest, q, point);
+    if (TIA_HALF_PRODUCTS)
+        square += point->reach >> w->reach_down;
+    else
+        tia_add_high_s32(&square, rest, point->reach, w->reach_factor);
+    return (uint32_t)square;
 }
 
 /* Returns about 2^45/sqrt(q), by a table. */
@@ -108,7 +164,7 @@ static bool bound_run(struct words *w)
 /* Begins a run at the next pixel, which faces the light; false if it would not be accurate. */
 static NOINLINE bool begin(struct words *w)
 {
-    uint32_t q = square_at(w, w->q, w->at);
+    uint32_t rest = 0, q = square_at(w, 0, &rest, &w->q, &w->points->point[w->at]);
     int zeros = (int)tia_clz32(q | 1);
 
     w->square_up = zeros - 1 - ((w->exponent + zeros - 1) & 1);
@@ -120,7 +176,6 @@ static NOINLINE bool begin(struct words *w)
     if (w->up < 0 || w->up > 15 || !bound_run(w))
         return false;
     w->y = rough(q << w->square_up);
-    w->step = 0;
     return true;
 }
 
@@ -128,42 +183,52 @@ static NOINLINE bool begin(struct words *w)
 static void draw_run(struct words *w)
 {
     const struct words own = *w; /* which no pixel changes */
-    int64_t g = w->g, q = w->q;
-    uint32_t y = w->y, step = w->step;
-    int i = w->at;
+    const struct word_point *point = own.points->point + own.at, *end = own.points->point + own.count;
+    struct word_form g = own.g, q = own.q;
+    num_u *lambert = own.lambert + own.at;
+    uint32_t y = own.y, step = 0, rest = 0;
 
-    for (; i < own.count; i++) {
-        int32_t facing = facing_at(&own, g, i);
-        uint32_t word = square_at(&own, q, i), square = word << own.square_up;
-        if (facing <= 0 || word - own.least > own.reach)
+    for (; point < end; point++) {
+        int32_t facing = facing_at(&own, &rest, &g, point);
+        uint32_t above = square_at(&own, own.least, &rest, &q, point);
+        if (facing <= 0 || above > own.reach)
             break;
-        uint32_t guess = y + step, off;
-        while ((off = words_high(square, words_high(guess, guess)) - (ONE - NEAR)) > 2 * NEAR)
-            guess = rough(square);
-        uint32_t next = guess + (uint32_t)high_signed((int32_t)(guess >> 1), (int32_t)((NEAR - off) << 6));
-        step = next - y;
-        y = next;
-        own.lambert[i] = (num_u)(words_high(words_high((uint32_t)facing << own.up, y), own.inverse) << 2);
-        g += own.g_step;
-        q += own.q_step;
+        uint32_t square = LEAST + (above << own.square_up), guess = y + step, off;
+        for (;; guess = rough(square)) {
+            off = ONE - words_high(square, words_high(guess, guess)); /* 1 - q y^2 */
+            TIA_OPAQUE(off);
+            if (off + NEAR <= 2 * NEAR)
+                break;
+        }
+        int32_t next = (int32_t)guess;
+        if (TIA_HALF_PRODUCTS)
+            next += high_signed((int32_t)guess, (int32_t)(off << 5));
+        else
+            tia_add_high_s32(&next, &rest, (int32_t)guess, (int32_t)(off << 5));
+        step = (uint32_t)next - y;
+        y = (uint32_t)next;
+        *lambert++ = (num_u)(words_high(words_high((uint32_t)facing << own.up, y), own.inverse) << 2);
+        form_next(&g);
+        form_next(&q);
     }
     w->g = g;
     w->q = q;
-    w->at = i;
+    w->at = (int)(point - own.points->point);
 }
 
 static void pass(struct words *w)
 {
     w->lambert[w->at++] = 0;
-    w->g += w->g_step;
-    w->q += w->q_step;
+    form_next(&w->g);
+    form_next(&w->q);
 }
 
 /* Computes all pixels; false if some would not be accurate. */
 static bool draw(struct words *w, struct word_light *light)
 {
     while (w->at < w->count) {
-        int32_t facing = facing_at(w, w->g, w->at);
+        uint32_t rest = 0;
+        int32_t facing = facing_at(w, &rest, &w->g, &w->points->point[w->at]);
         if (facing <= 0) {
             if (facing > -(int32_t)w->doubt)
                 light->open |= PIXEL_BIT(w->at);
@@ -190,7 +255,7 @@ bool words_light(const struct word_points *points, const struct light_source *so
     int up = points->up < by_constant ? points->up : by_constant;
     struct words w;
 
-    up = up < by_points - 4 ? up : by_points - 4;
+    up = up < by_points - 3 ? up : by_points - 3;
     light->open = 0;
     light->first = line->count;
     light->last = -1;
@@ -202,15 +267,14 @@ bool words_light(const struct word_points *points, const struct light_source *so
     w.distance = (uint32_t)num_top_u(span_shift(line->distance, up));
     w.exponent = source->exponent - 32 + up;
     w.reach_down = by_points - up;
+    w.reach_factor = (int32_t)1 << (32 - w.reach_down);
     w.square_doubt = WORDS_BOUND(WORDS_SQUARE) + (WORDS_BOUND(WORDS_REACH) >> w.reach_down) + 1;
     w.moved = error->point + error->t + SPAN_LOG(SPAN_ERROR_WORDS);
     w.facing_scale = 64 - source->sphere->radius_bits - light_facing_exponent(source, line);
     w.inverse = (uint32_t)source->sphere->inverse;
     w.worst = 0;
-    w.g = (int64_t)span_shift(line->g, -points->up);
-    w.g_step = (int64_t)span_shift(line->g_step, -points->up);
-    w.q = (int64_t)span_shift(line->q, up - points->up);
-    w.q_step = (int64_t)span_shift(line->q_step, up - points->up);
+    w.g = form_of(points, line->g, line->g_step, -points->up);
+    w.q = form_of(points, -line->q, -line->q_step, up - points->up + 1);
     w.at = 0;
     w.count = line->count;
     w.lambert = light->lambert;

@@ -20,12 +20,19 @@ static inline uint32_t words_high(uint32_t a, uint32_t b)
     return TIA_HALF_PRODUCTS ? words_high_apart(a, b) : (uint32_t)(tia_mul_u32(a, b) >> 32);
 }
 
+/* A point P = t v of a row, in words. */
+struct word_point {
+    int32_t t;
+    int32_t across; /* t times its number, counted from the middle, over 2^spread; not where products are slow */
+    int32_t reach;  /* |P|^2 */
+};
+
 /* The points of a run of pixels, for all lights. */
 struct word_points {
-    int up;                /* words of t have the exponent of t and this */
-    int exponent;          /* that of |P|^2 */
-    uint32_t t[CHUNK];     /* below 2^31 */
-    uint32_t reach[CHUNK]; /* |P|^2 */
+    int up;       /* words of t have the exponent of t and this */
+    int exponent; /* that of |P|^2 */
+    int middle, spread;
+    struct word_point point[CHUNK];
 };
 
 /* What a light does to a run of pixels that no ball shades. */

@@ -25,16 +25,36 @@ static void clamp_sums(struct span_shading *s)
     s->most = NUM_ONE;
 }
 
-static inline num_u share(num_u lambert, uint32_t factor)
+static inline num_u share(num_u part, uint32_t factor)
 {
-    return (num_u)words_high((uint32_t)lambert, factor);
+    return (num_u)words_high((uint32_t)part, factor);
 }
 
-bool words_add(struct span_shading *s, const num_u *lambert, const num_u product[3])
+/* Returns a colour of up to 1 times 2^32, at most 2 too small. */
+static uint32_t factor_of(num_u colour)
+{
+    return colour >= NUM_ONE ? UINT32_MAX : (uint32_t)colour << 2;
+}
+
+/* Adds a grey light. */
+static void add_uncoloured(num_u *sum, const num_u *lambert, int count, uint32_t factor)
+{
+    const num_u *const end = lambert + count;
+
+    do
+        *sum++ += share(*lambert++, factor);
+    while (lambert < end);
+}
+
+bool words_add(struct span_shading *s, const num_u *lambert, const struct tia_light *light, const num_u product[3])
 {
     const uint32_t factor[3] = {(uint32_t)product[0] << 2, (uint32_t)product[1] << 2, (uint32_t)product[2] << 2};
     num_u most = greatest(product[0], product[1], product[2]);
 
+    if (s->uncoloured) {
+        add_uncoloured(s->sum[0], lambert, s->span->count, factor_of(num_colour(light->emission.r)));
+        return true;
+    }
     if (s->grey || most >= NUM_ONE) {
         s->most = NUM_ONE; /* as the kernels clamp the sums */
         return false;
@@ -51,53 +71,57 @@ bool words_add(struct span_shading *s, const num_u *lambert, const num_u product
     return true;
 }
 
-/* ---- shadows ---- */
-
-/* Computes the cosines of pixels first..end-1 with the kernels. Returns the logarithm of the bound of their errors. */
-static NOINLINE int shade_run(struct span_shading *s, const struct light_source *source, int first, int end,
-                              num_u *lambert)
+/* Multiplies the light by the material's colour. Of a channel's error by all lights, 3 each in num_light_doubt, this
+ * and the sum of words that are cut off take one for each light and two more. */
+static void colour_sums(struct span_shading *s)
 {
-    const struct shaded_span *span = s->span;
-    struct shaded_span run = {span->object, span->x + first, span->y, end - first, span->t + first, NULL, NULL};
-    struct light_source own = *source;
-    struct light_line line;
-    struct lit lit;
-    int error = NO_ERROR;
+    const struct tia_rgb *colour = &s->material->colour, *emission = &s->material->emission;
+    const uint32_t factor[3] = {factor_of(num_colour(colour->r)), factor_of(num_colour(colour->g)),
+                                factor_of(num_colour(colour->b))};
+    const num_u least[3] = {num_colour(emission->r), num_colour(emission->g), num_colour(emission->b)};
 
-    light_line_prepare(&s->spans->primary, &own, run.x, run.y, &line);
-    line.count = run.count;
-    line.facing_doubt = span_error_facing(&own, &line, &s->error);
-    s->span = &run;
-    if (s->spans->kernels->light(&line, run.t, &lit)) {
-        span_bound_lambert(s, &own, lit.most_half);
-        error = s->error.lambert;
-        span_cast_shadows(s, &own, s->shadows.near, (struct span){0, run.count}, &lit, NULL);
+    for (int i = 0; i < ((s->span->count + 7) & ~7); i++) {
+        num_u light = s->sum[0][i];
+        s->sum[0][i] = num_clamp(least[0] + share(light, factor[0]));
+        s->sum[1][i] = num_clamp(least[1] + share(light, factor[1]));
+        s->sum[2][i] = num_clamp(least[2] + share(light, factor[2]));
     }
-    s->open |= lit.open << first;
-    s->spans->kernels->lambert(&lit, own.sphere->inverse, run.count, lambert + first);
-    s->span = span;
-    return error;
 }
 
-/* Computes the cosines of the parts that are not lit. Returns the logarithm of the bound of the kernels' errors. */
-static NOINLINE int shade_parts(struct span_shading *s, const struct light_source *source,
-                                const struct word_light *words)
-{
-    const uint8_t *part = s->shadows.part;
-    int worst = NO_ERROR;
+/* ---- shadows ---- */
 
-    for (int i = words->first / SHADOW_PART, next; i * SHADOW_PART <= words->last && !s->given_up; i = next) {
-        int first = i * SHADOW_PART;
-        next = i + 1;
-        while (next * SHADOW_PART < s->span->count && part[next] == part[i])
-            next++;
-        int end = next * SHADOW_PART < s->span->count ? next * SHADOW_PART : s->span->count;
-        int error = part[i] == SPAN_OPEN ? shade_run(s, source, first, end, words->lambert) : NO_ERROR;
-        worst = worst > error ? worst : error;
-        for (int at = first; part[i] == SPAN_DARK && at < end; at++)
-            words->lambert[at] = 0;
+/* Returns the part that a pixel belongs to. */
+static enum span_part part_at(const struct span_shading *s, uint32_t light, int at)
+{
+    const struct shaded_span *span = s->span;
+    const struct span_casters *casters = &s->spans->casters;
+    struct coarse_ball point;
+    enum span_part part = SPAN_LIT;
+
+    (void)span_coarse_point(&s->spans->primary, &s->spans->spheres[span->object], span->x + at, span->y, span->t[at],
+                            s->shadows.doubt, &point);
+    for (uint32_t j = 0; (j = span_next_in(casters, s->shadows.near, j)) < casters->count && part != SPAN_DARK; j++) {
+        enum span_part by = span_part_of(casters, &point, light, j);
+        part = by == SPAN_LIT ? part : by;
     }
-    return worst;
+    return part;
+}
+
+/* Sets the cosines of dark pixels to 0, and leaves those pixels open that are too near to the edge of a shadow. Parts
+ * that are open are decided pixel by pixel. */
+static NOINLINE void cast_shadows(struct span_shading *s, uint32_t light, const struct word_light *words)
+{
+    for (int at = words->first; at <= words->last; at++) {
+        enum span_part part = s->shadows.part[at / SHADOW_PART];
+        if (part == SPAN_LIT)
+            at |= SHADOW_PART - 1;
+        if (part == SPAN_OPEN)
+            part = part_at(s, light, at);
+        if (part == SPAN_DARK)
+            words->lambert[at] = 0;
+        if (part == SPAN_OPEN)
+            s->open |= PIXEL_BIT(at);
+    }
 }
 
 /* Adds a light that is prepared; false if the kernels are to do it. `lambert` is room for its cosines. */
@@ -105,17 +129,15 @@ static bool shade_by_words(struct span_shading *s, const struct word_points *poi
                            const struct light_line *line, num_u *lambert)
 {
     struct word_light words = {.lambert = lambert};
-    int error = NO_ERROR;
 
-    if (!s->bounded || !words_light(points, source, line, &s->error, &words))
+    if (!s->bounded || !s->shadows.doubt || !words_light(points, source, line, &s->error, &words))
         return false;
     s->open |= words.open;
     if (words.first > words.last)
         return true;
     if (s->spans->coherence->shadows(s->spans, s->span, source->number, &s->shadows))
-        error = shade_parts(s, source, &words);
-    if (!s->given_up)
-        span_add_light(s, &s->view->lights[source->number], lambert, NULL, error, words.doubt);
+        cast_shadows(s, source->number, &words);
+    span_add_light(s, &s->view->lights[source->number], lambert, NULL, NO_ERROR, words.doubt);
     return true;
 }
 
@@ -133,4 +155,6 @@ NOINLINE void words_lights(struct span_shading *s)
     for (uint32_t l = 0; l < s->view->light_count && !s->given_up && !span_work_stops(s->view, &s->work); l++)
         if (span_prepare_light(s, l, &source, &line) && !shade_by_words(s, &points, &source, &line, lambert))
             span_shade_by_kernels(s, &source, &line, NULL);
+    if (s->uncoloured)
+        colour_sums(s);
 }

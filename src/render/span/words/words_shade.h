@@ -8,6 +8,6 @@
 void words_lights(struct span_shading *s);
 
 /* Adds a light's cosines, of which a part in each channel is `product`; false if the kernels are to do it. */
-bool words_add(struct span_shading *s, const num_u *lambert, const num_u product[3]);
+bool words_add(struct span_shading *s, const num_u *lambert, const struct tia_light *light, const num_u product[3]);
 
 #endif
