@@ -6,7 +6,6 @@
 
 #include "common/image/series.h"
 #include "common/image/stored.h"
-#include "common/record/merkle.h"
 #include "common/record/row_hashes.h"
 #include "common/verify/report.h"
 #include "record_file.h"
@@ -71,11 +70,6 @@ static void add_row(void *ctx, uint32_t frame, unsigned y, const unsigned char *
 
 /* ---- what is printed ---- */
 
-static const unsigned char *leaf_of(const void *leaves, size_t index)
-{
-    return ((const struct record_group *)leaves)[index].hash;
-}
-
 static void print_hash(FILE *out, const char *what, const unsigned char *hash)
 {
     char text[SHA256_TEXT];
@@ -98,7 +92,7 @@ static void print_path(const struct check *c, size_t index)
     const struct record *r = &c->place.record;
     struct merkle_step path[MERKLE_DEEPEST];
     unsigned char root[SHA256_BYTES];
-    unsigned length = merkle_path(root, path, leaf_of, r->groups, r->group_count, index);
+    unsigned length = record_path(r, index, root, path);
 
     print_group(c, &r->groups[index]);
     (void)fprintf(c->report.out, "its path to the root\n");

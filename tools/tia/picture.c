@@ -6,6 +6,7 @@
 
 #include "common/crc_join.h"
 #include "common/forecast.h"
+#include "common/image/bytes.h"
 #include "common/image/codec.h"
 #include "film_plan.h"
 
@@ -59,13 +60,8 @@ static int write_floats(struct picture *picture, const struct picture_band *band
     int status = TIA_OK;
 
     for (unsigned y = 0; y < band->rows && !status; y++) {
-        for (size_t i = 0; i < count; i++) {
-            float value = (float)band->colours[y * count + i] / 65535;
-            uint32_t bits;
-            memcpy(&bits, &value, sizeof bits);
-            for (unsigned k = 0; k < 4; k++)
-                picture->floats[4 * i + k] = (unsigned char)(bits >> 8 * k & 255);
-        }
+        for (size_t i = 0; i < count; i++)
+            (void)put_float_bytes(picture->floats + 4 * i, (float)band->colours[y * count + i] / 65535);
         tap_rows(picture->tap, picture->frame, band->y + y, 1, picture->floats, 4 * count);
         status = picture->image ? image_rows(picture->image, picture->floats, 1) : TIA_OK;
     }

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bytes.h"
 #include "codec.h"
 #include "ports.h"
 
@@ -33,13 +34,6 @@ static size_t line_bytes(const struct image *image)
 
 /* ---- the header ---- */
 
-static unsigned char *put(unsigned char *at, uint64_t value, unsigned bytes)
-{
-    for (unsigned i = 0; i < bytes; i++)
-        *at++ = (unsigned char)(value >> 8 * i & 255u);
-    return at;
-}
-
 static unsigned char *put_text(unsigned char *at, const char *text)
 {
     size_t length = strlen(text) + 1;
@@ -48,18 +42,10 @@ static unsigned char *put_text(unsigned char *at, const char *text)
     return at + length;
 }
 
-static unsigned char *put_float(unsigned char *at, float value)
-{
-    uint32_t bits;
-
-    memcpy(&bits, &value, sizeof bits);
-    return put(at, bits, NUMBER);
-}
-
 /* Begins an attribute of `bytes` bytes. */
 static unsigned char *put_attribute(unsigned char *at, const char *name, const char *type, unsigned bytes)
 {
-    return put(put_text(put_text(at, name), type), bytes, NUMBER);
+    return put_bytes(put_text(put_text(at, name), type), bytes, NUMBER);
 }
 
 static unsigned char *put_channels(unsigned char *at, const struct image *image)
@@ -69,10 +55,11 @@ static unsigned char *put_channels(unsigned char *at, const struct image *image)
     for (unsigned c = 0; c < CHANNELS; c++)
         if (!channels[c].of_surface || image->film.surfaces) {
             end = put_text(end, channels[c].name);
-            end = put(put(end, channels[c].type, NUMBER), 0, NUMBER); /* perceptually linear: no; reserved */
-            end = put(put(end, 1, NUMBER), 1, NUMBER);                /* samples of every pixel */
+            end =
+                put_bytes(put_bytes(end, channels[c].type, NUMBER), 0, NUMBER); /* perceptually linear: no; reserved */
+            end = put_bytes(put_bytes(end, 1, NUMBER), 1, NUMBER);              /* samples of every pixel */
         }
-    end = put(end, 0, 1);
+    end = put_bytes(end, 0, 1);
     at = put_attribute(at, "channels", "chlist", (unsigned)(end - list));
     memcpy(at, list, (size_t)(end - list));
     return at + (end - list);
@@ -80,23 +67,23 @@ static unsigned char *put_channels(unsigned char *at, const struct image *image)
 
 static unsigned char *put_window(unsigned char *at, const char *name, const struct image *image)
 {
-    at = put(put_attribute(at, name, "box2i", 4 * NUMBER), 0, 2 * NUMBER);
-    return put(put(at, image->width - 1, NUMBER), image->height - 1, NUMBER);
+    at = put_bytes(put_attribute(at, name, "box2i", 4 * NUMBER), 0, 2 * NUMBER);
+    return put_bytes(put_bytes(at, image->width - 1, NUMBER), image->height - 1, NUMBER);
 }
 
 static size_t put_header(unsigned char *header, const struct image *image)
 {
-    unsigned char *at = put(put(header, MAGIC, NUMBER), VERSION, NUMBER);
+    unsigned char *at = put_bytes(put_bytes(header, MAGIC, NUMBER), VERSION, NUMBER);
 
     at = put_channels(at, image);
-    at = put(put_attribute(at, "compression", "compression", 1), 0, 1);
+    at = put_bytes(put_attribute(at, "compression", "compression", 1), 0, 1);
     at = put_window(at, "dataWindow", image);
     at = put_window(at, "displayWindow", image);
-    at = put(put_attribute(at, "lineOrder", "lineOrder", 1), 0, 1);
-    at = put_float(put_attribute(at, "pixelAspectRatio", "float", NUMBER), 1);
-    at = put(put_attribute(at, "screenWindowCenter", "v2f", 2 * NUMBER), 0, 2 * NUMBER);
-    at = put_float(put_attribute(at, "screenWindowWidth", "float", NUMBER), 1);
-    return (size_t)(put(at, 0, 1) - header);
+    at = put_bytes(put_attribute(at, "lineOrder", "lineOrder", 1), 0, 1);
+    at = put_float_bytes(put_attribute(at, "pixelAspectRatio", "float", NUMBER), 1);
+    at = put_bytes(put_attribute(at, "screenWindowCenter", "v2f", 2 * NUMBER), 0, 2 * NUMBER);
+    at = put_float_bytes(put_attribute(at, "screenWindowWidth", "float", NUMBER), 1);
+    return (size_t)(put_bytes(at, 0, 1) - header);
 }
 
 static int begin(struct image *image)
@@ -112,7 +99,7 @@ static int begin(struct image *image)
     }
     int status = sink_write(&image->sink, header, used);
     for (unsigned y = 0; y < image->height && !status; y++, at += LINE_HEAD + line_bytes(image)) {
-        (void)put(offset, at, OFFSET);
+        (void)put_bytes(offset, at, OFFSET);
         status = sink_write(&image->sink, offset, sizeof offset);
     }
     return status;
@@ -132,9 +119,9 @@ static unsigned char *put_surfaces(unsigned char *at, const struct image_surface
     for (unsigned x = 0; x < width; x++) {
         const char *name = channels[channel].name;
         if (channels[channel].type == TYPE_UINT)
-            at = put(at, row[x].object, NUMBER);
+            at = put_bytes(at, row[x].object, NUMBER);
         else
-            at = put_float(at, *name == 'Z' ? row[x].depth : row[x].normal[name[2] - 'X']);
+            at = put_float_bytes(at, *name == 'Z' ? row[x].depth : row[x].normal[name[2] - 'X']);
     }
     return at;
 }
@@ -143,7 +130,7 @@ static int bytes(struct image *image, const unsigned char *row)
 {
     unsigned y = (unsigned)image->rows, width = image->width;
     const struct image_surface *surfaces = image->film.surfaces ? image->film.surfaces + (size_t)y * width : NULL;
-    unsigned char *line = image->state, *at = put(put(line, y, NUMBER), line_bytes(image), NUMBER);
+    unsigned char *line = image->state, *at = put_bytes(put_bytes(line, y, NUMBER), line_bytes(image), NUMBER);
 
     for (unsigned c = 0; c < CHANNELS; c++)
         if (!channels[c].of_surface)

@@ -6,6 +6,7 @@
 #include <tia/debug.h>
 #include <tia/render.h>
 
+#include "bytes.h"
 #include "codec.h"
 
 size_t image_part_print(char text[IMAGE_PART_HEADER], const struct image_film *film)
@@ -108,8 +109,7 @@ bool image_part_add(struct image *image, const tia_rgb565 *pixels)
 
 void image_part_put_sum(unsigned char bytes[IMAGE_PART_SUM], uint32_t sum)
 {
-    for (unsigned i = 0; i < IMAGE_PART_SUM; i++)
-        bytes[i] = (unsigned char)(sum >> 8 * i & 255u);
+    (void)put_bytes(bytes, sum, IMAGE_PART_SUM);
 }
 
 void image_y4m_put_frame(unsigned char bytes[IMAGE_Y4M_FRAME], uint32_t sum)

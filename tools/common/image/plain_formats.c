@@ -1,6 +1,7 @@
 /* plain_formats.c - the formats that need no library: PPM, BMP and raw RGB565. */
 #include <stdio.h>
 
+#include "bytes.h"
 #include "codec.h"
 
 static void nothing(struct image *image)
@@ -85,12 +86,6 @@ const struct image_codec image_codec_565 = {.name = "565", .begin = done, .row =
 enum { BMP_FILE_HEADER = 14, BMP_INFO_HEADER = 40, BMP_HEADER = BMP_FILE_HEADER + BMP_INFO_HEADER + 3 * 4 };
 enum { BMP_BITFIELDS = 3, BMP_DOTS_PER_METRE = 2835 }; /* 72 dpi, the customary value */
 
-static void put32(unsigned char *at, uint32_t value)
-{
-    for (unsigned i = 0; i < 4; i++)
-        at[i] = (unsigned char)(value >> 8 * i & 255u);
-}
-
 static size_t bmp_pitch(unsigned width)
 {
     return ((size_t)width * 2 + 3) / 4 * 4;
@@ -100,19 +95,19 @@ static int bmp_begin(struct image *image)
 {
     uint32_t bytes = (uint32_t)(bmp_pitch(image->width) * image->height);
     unsigned char header[BMP_HEADER] = {'B', 'M'};
-    put32(header + 2, BMP_HEADER + bytes);
-    put32(header + 10, BMP_HEADER);
-    put32(header + 14, BMP_INFO_HEADER);
-    put32(header + 18, image->width);
-    put32(header + 22, image->height);
-    put32(header + 26, 1 | 16u << 16); /* one plane, 16 bits per pixel */
-    put32(header + 30, BMP_BITFIELDS);
-    put32(header + 34, bytes);
-    put32(header + 38, BMP_DOTS_PER_METRE);
-    put32(header + 42, BMP_DOTS_PER_METRE);
-    put32(header + 54, 0xf800);
-    put32(header + 58, 0x07e0);
-    put32(header + 62, 0x001f);
+    (void)put_bytes(header + 2, BMP_HEADER + bytes, 4);
+    (void)put_bytes(header + 10, BMP_HEADER, 4);
+    (void)put_bytes(header + 14, BMP_INFO_HEADER, 4);
+    (void)put_bytes(header + 18, image->width, 4);
+    (void)put_bytes(header + 22, image->height, 4);
+    (void)put_bytes(header + 26, 1 | 16u << 16, 4); /* one plane, 16 bits per pixel */
+    (void)put_bytes(header + 30, BMP_BITFIELDS, 4);
+    (void)put_bytes(header + 34, bytes, 4);
+    (void)put_bytes(header + 38, BMP_DOTS_PER_METRE, 4);
+    (void)put_bytes(header + 42, BMP_DOTS_PER_METRE, 4);
+    (void)put_bytes(header + 54, 0xf800, 4);
+    (void)put_bytes(header + 58, 0x07e0, 4);
+    (void)put_bytes(header + 62, 0x001f, 4);
     return sink_write(&image->sink, header, sizeof header);
 }
 

@@ -4,6 +4,7 @@
 #include <string.h>
 #include <tia/tone.h>
 
+#include "bytes.h"
 #include "common/checksum.h"
 
 enum { CHANNEL = 8, CHECK = 4, MAGIC = 8, NUMBERS = 3 + 3 + 1 + 3 + 1 };
@@ -53,13 +54,6 @@ size_t sums_row_bytes(const struct sums *s)
     return (size_t)s->width * (s->guided ? NUMBERS : 3) * CHANNEL + CHECK;
 }
 
-static unsigned char *put(unsigned char *at, uint64_t value, unsigned bytes)
-{
-    for (unsigned i = 0; i < bytes; i++)
-        *at++ = (unsigned char)(value >> 8 * i & 255u);
-    return at;
-}
-
 static uint64_t get(const unsigned char *at, unsigned bytes)
 {
     uint64_t value = 0;
@@ -73,7 +67,7 @@ static uint32_t check_of(const struct sums *s, unsigned y, const unsigned char *
 {
     unsigned char place[8];
 
-    (void)put(put(place, y, 4), s->crc, 4);
+    (void)put_bytes(put_bytes(place, y, 4), s->crc, 4);
     return checksum_bytes(checksum_bytes(0, place, sizeof place), bytes, sums_row_bytes(s) - CHECK);
 }
 
@@ -81,11 +75,11 @@ static uint32_t check_of(const struct sums *s, unsigned y, const unsigned char *
 static void put_guide(unsigned char *at, const struct tia_guide *guide, uint64_t squares)
 {
     for (int c = 0; c < 3; c++)
-        at = put(at, (uint64_t)guide->normal[c], CHANNEL);
-    at = put(at, (uint64_t)guide->depth, CHANNEL);
+        at = put_bytes(at, (uint64_t)guide->normal[c], CHANNEL);
+    at = put_bytes(at, (uint64_t)guide->depth, CHANNEL);
     for (int c = 0; c < 3; c++)
-        at = put(at, (uint64_t)guide->albedo[c], CHANNEL);
-    (void)put(at, squares, CHANNEL);
+        at = put_bytes(at, (uint64_t)guide->albedo[c], CHANNEL);
+    (void)put_bytes(at, squares, CHANNEL);
 }
 
 void sums_put_gathered(unsigned char *bytes, const struct sums *s, unsigned y, const struct tia_gathered *row)
@@ -94,10 +88,10 @@ void sums_put_gathered(unsigned char *bytes, const struct sums *s, unsigned y, c
 
     for (unsigned x = 0; x < s->width; x++)
         for (unsigned c = 0; c < 3; c++)
-            at = put(at, (uint64_t)row->sums[x].rgb[c], CHANNEL);
+            at = put_bytes(at, (uint64_t)row->sums[x].rgb[c], CHANNEL);
     for (unsigned x = 0; x < s->width && s->guided; x++, at += (NUMBERS - 3) * CHANNEL)
         put_guide(at, &row->guides[x], row->squares[x]);
-    (void)put(at, check_of(s, y, bytes), CHECK);
+    (void)put_bytes(at, check_of(s, y, bytes), CHECK);
 }
 
 void sums_put_row(unsigned char *bytes, const struct sums *s, unsigned y, const struct tia_sum *row)
@@ -168,11 +162,7 @@ bool sums_get_gathered(const struct tia_gathered *row, const struct sums *s, uns
  * the position behind it. */
 static unsigned char *put_float(unsigned char *at, int64_t sum, uint32_t count)
 {
-    float value = (float)((double)sum / (16777216.0 * count));
-    uint32_t bits;
-
-    memcpy(&bits, &value, sizeof bits);
-    return put(at, bits, sizeof bits);
+    return put_float_bytes(at, (float)((double)sum / (16777216.0 * count)));
 }
 
 void sums_develop(unsigned char *bytes, const struct sums *s, const struct tia_sum *row, unsigned depth)

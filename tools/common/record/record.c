@@ -5,8 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "merkle.h"
-
 unsigned record_frame_groups(const struct image_film *film)
 {
     return (film->rows + RECORD_GROUP - 1) / RECORD_GROUP;
@@ -94,13 +92,19 @@ static const unsigned char *leaf_of(const void *leaves, size_t index)
     return ((const struct record_group *)leaves)[index].hash;
 }
 
+unsigned record_path(const struct record *r, size_t index, unsigned char root[SHA256_BYTES],
+                     struct merkle_step path[MERKLE_DEEPEST])
+{
+    return merkle_path(root, path, leaf_of, r->groups, r->group_count, index);
+}
+
 bool record_set_root(struct record *r)
 {
     struct merkle_step path[MERKLE_DEEPEST];
 
     if (!r->group_count)
         return false;
-    (void)merkle_path(r->root, path, leaf_of, r->groups, r->group_count, SIZE_MAX);
+    (void)record_path(r, SIZE_MAX, r->root, path);
     return true;
 }
 

@@ -4,7 +4,7 @@
 #define TOOLS_RECORD_RECORD_H
 
 #include "common/image/image.h"
-#include "sha256.h"
+#include "merkle.h"
 
 #define RECORD_FORMAT 1
 #define RECORD_DEFINITION 1 /* the version in the title of docs/definition.md */
@@ -60,8 +60,13 @@ bool record_name_stays(const char *name);
 /* Returns the name of a resolved path in a resolved folder; NULL: it is outside. */
 const char *record_name_in(const char *folder, const char *path);
 
-/* Computes the root from the hashes of the groups. False: no memory. */
+/* Computes the root from the hashes of the groups. False: there are none. */
 bool record_set_root(struct record *record);
+
+/* Computes the root, and the path of group `index` to it, from the group upwards. Returns the length of the path. There
+ * is at least one group. */
+unsigned record_path(const struct record *record, size_t index, unsigned char root[SHA256_BYTES],
+                     struct merkle_step path[MERKLE_DEEPEST]);
 
 /* Parses a record and verifies its hashes of itself. Only the spelling of record_print is accepted. False, with one
  * line in why[RECORD_WHY], "LINE: WHAT" or "WHAT": not valid. record_free is to be called in any case. */
