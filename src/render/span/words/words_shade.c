@@ -6,6 +6,7 @@
 #include "render/span/span_parts.h"
 #include "render/span/span_shade.h"
 
+#define OPEN_MOST 4          /* a choice: with more open pixels in a span, the kernels take less */
 #define NO_ERROR (-64 * 256) /* a binary logarithm in 256ths */
 
 /* ---- sums ---- */
@@ -107,10 +108,12 @@ static enum span_part part_at(const struct span_shading *s, uint32_t light, int 
     return part;
 }
 
-/* Sets the cosines of dark pixels to 0, and leaves those pixels open that are too near to the edge of a shadow. Parts
- * that are open are decided pixel by pixel. */
-static NOINLINE void cast_shadows(struct span_shading *s, uint32_t light, const struct word_light *words)
+/* Sets the cosines of dark pixels to 0, and adds those pixels to the open ones that are too near to the edge of a
+ * shadow; false if these are many. Parts that are open are decided pixel by pixel. */
+static NOINLINE bool cast_shadows(const struct span_shading *s, uint32_t light, struct word_light *words)
 {
+    int left = OPEN_MOST;
+
     for (int at = words->first; at <= words->last; at++) {
         enum span_part part = s->shadows.part[at / SHADOW_PART];
         if (part == SPAN_LIT)
@@ -119,9 +122,13 @@ static NOINLINE void cast_shadows(struct span_shading *s, uint32_t light, const 
             part = part_at(s, light, at);
         if (part == SPAN_DARK)
             words->lambert[at] = 0;
-        if (part == SPAN_OPEN)
-            s->open |= PIXEL_BIT(at);
+        if (part == SPAN_OPEN) {
+            words->open |= PIXEL_BIT(at);
+            if (left-- == 0)
+                return false;
+        }
     }
+    return true;
 }
 
 /* Adds a light that is prepared; false if the kernels are to do it. `lambert` is room for its cosines. */
@@ -132,12 +139,13 @@ static bool shade_by_words(struct span_shading *s, const struct word_points *poi
 
     if (!s->bounded || !s->shadows.doubt || !words_light(points, source, line, &s->error, &words))
         return false;
+    if (words.first <= words.last) {
+        if (s->spans->coherence->shadows(s->spans, s->span, source->number, &s->shadows) &&
+            !cast_shadows(s, source->number, &words))
+            return false;
+        span_add_light(s, &s->view->lights[source->number], lambert, NULL, NO_ERROR, words.doubt);
+    }
     s->open |= words.open;
-    if (words.first > words.last)
-        return true;
-    if (s->spans->coherence->shadows(s->spans, s->span, source->number, &s->shadows))
-        cast_shadows(s, source->number, &words);
-    span_add_light(s, &s->view->lights[source->number], lambert, NULL, NO_ERROR, words.doubt);
     return true;
 }
 
