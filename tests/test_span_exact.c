@@ -166,14 +166,14 @@ TEST(lamps)
         }
 }
 
-/* Many grey lights above balls of every material: their sum is below, at and above 3, up to which the light is summed
- * before it gets the material's colour, and far above what a word holds. */
+/* Grey lights above balls of every material: each below, at and above 1, and their sum below, at and above 3, up to which
+ * the light is summed before it gets the material's colour, and far above what a word holds. */
 TEST(grey_lights)
 {
-    static const double emissions[] = {.25, .9, 1, 1.9};
+    static const double emissions[] = {.25, .9, 1, 1.4, 1.9};
     static const int counts[] = {2, 3, 4, 12};
 
-    for (unsigned i = 0; i < 16; i++) {
+    for (unsigned i = 0; i < 20; i++) {
         tia_q30 e = (tia_q30)lround(emissions[i / 4] * TIA_Q30_ONE);
         start(50);
         materials[1].transmission = (struct tia_rgb)TIA_RGB(0, 0, 0);

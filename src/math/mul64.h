@@ -92,8 +92,8 @@ static INLINED_IN_WORDS int32_t tia_high_s32(int32_t a, int32_t b)
 #endif
 }
 
-/* Adds a b/2^32 to `sum`. `rest` is a fraction of it, less than 1, where the processor adds products; elsewhere the
- * product is cut off. */
+/* Adds a b to a number of two words, of which `sum` is the upper one; `rest`, the lower one, may begin with any value.
+ * Where the processor does not add products, `rest` is not used and the product is cut off. */
 static INLINED_IN_WORDS void tia_add_high_s32(int32_t *sum, uint32_t *rest, int32_t a, int32_t b)
 {
 #if TIA_ADDS_PRODUCTS

@@ -154,7 +154,8 @@ int span_set_lights(struct tia_view *view)
     for (uint32_t i = 0; i < view->light_count && !cancelled(&cancel, 1); i++) {
         const struct tia_light *light = &view->lights[i];
         spans->grey = spans->grey && colour_is_grey(&light->emission);
-        left = left > (uint32_t)light->emission.r ? left - (uint32_t)light->emission.r : 0;
+        bool fits = light->emission.r <= TIA_Q30_ONE && (uint32_t)light->emission.r < left;
+        left = fits ? left - (uint32_t)light->emission.r : 0;
         prepare_sphere(view, view->scene->sphere_count + i, light->centre, light->radius);
         span_casters_find(&spans->casters, i, &cancel);
     }

@@ -6,10 +6,10 @@
 #include "render/span/span_proved.h"
 #include "words_proved.h"
 
-#define ONE ((uint32_t)1 << 26)  /* q y^2 */
-#define NEAR ((uint32_t)1 << 14) /* the largest error of q y^2 before a step */
-#define ACCURATE (-9 * 256)      /* the largest error of t, see span_error.h */
-#define LEAST ((uint32_t)1 << 28)
+#define ONE ((uint32_t)1 << 26)    /* q y^2 */
+#define NEAR ((uint32_t)1 << 14)   /* the largest error of q y^2 before a step */
+#define ACCURATE (-9 * 256)        /* the largest error of t, see span_error.h */
+#define LEAST ((uint32_t)65 << 22) /* a little above 2^28: y is below 2^31, also if it is off by 2^-13 */
 #define MOST ((uint32_t)15 << 28)
 
 uint32_t words_high_apart(uint32_t a, uint32_t b)
@@ -56,13 +56,14 @@ void words_points(const struct primary_rays *primary, const struct span_sphere *
 
 /* ---- forms ---- */
 
-/* A linear form of v, times 2^32: where products of words are quick, a product with t and one with `across` take the
- * place of an accumulator. */
+/* A linear form of v, times 2^32. Where products of words are quick, one with t and one with `across` take the place of
+ * an accumulator. */
 struct word_form {
     int64_t now;  /* at the next pixel, or in the middle of the row */
     int64_t step; /* from one pixel to the next, or from the middle over 2^spread pixels */
 };
 
+/* Returns the form with an accumulator's start and step, times 2^shift. */
 static struct word_form form_of(const struct word_points *points, num_wide start, num_wide step, int shift)
 {
     num_wide middle = TIA_HALF_PRODUCTS ? start : start + (num_wide)points->middle * step;
@@ -72,7 +73,7 @@ static struct word_form form_of(const struct word_points *points, num_wide start
     return form;
 }
 
-/* Adds the form times t to a word. */
+/* Adds the form times t to a word; `rest` as tia_add_high_s32() has it. */
 static INLINED_IN_WORDS void add_form(int32_t *sum, uint32_t *rest, const struct word_form *form,
                                       const struct word_point *point)
 {
@@ -102,7 +103,7 @@ struct words {
     uint32_t distance;     /* constant of |w|^2, as a word */
     int exponent;          /* that of |w|^2's word */
     int reach_down;        /* from |P|^2's word to it */
-    int32_t reach_factor;  /* the same as a factor, 2^(32 - reach_down) */
+    int32_t reach_factor;  /* the same as a factor of 2^32, 2^(32 - reach_down) */
     uint32_t square_doubt; /* bound of the error of |w|^2's word */
     int moved;             /* logarithm of the error of P, in 256ths */
     int facing_scale;      /* e/2 plus this is `up` */
@@ -116,6 +117,7 @@ struct words {
     num_u *lambert;
 };
 
+/* Returns f as a word. */
 static INLINED_IN_WORDS int32_t facing_at(const struct words *w, uint32_t *rest, const struct word_form *g,
                                           const struct word_point *point)
 {
