@@ -67,7 +67,7 @@ bool span_coarse_point(const struct primary_rays *primary, const struct span_sph
     ball->x = (num)span_shift(num_mul(num_signed(t), (num)across), shift);
     ball->y = (num)span_shift(num_mul(num_signed(t), (num)primary_y(primary, y)), shift);
     ball->z = (num)-span_shift(num_mul(num_signed(t), (num)primary->depth), shift);
-    if (ball->radius)
+    if (ball->radius > 0)
         return true;
     num_wide radius =
         span_shift(num_up((num_wide)num_distance_doubt(t, sphere->doubt_shift, sphere->doubt), 30), shift);

@@ -137,7 +137,7 @@ static bool shade_by_words(struct span_shading *s, const struct word_points *poi
 {
     struct word_light words = {.lambert = lambert};
 
-    if (!s->bounded || !s->shadows.doubt || !words_light(points, source, line, &s->error, &words))
+    if (!s->bounded || !(s->shadows.doubt > 0) || !words_light(points, source, line, &s->error, &words))
         return false;
     if (words.first <= words.last) {
         if (s->spans->coherence->shadows(s->spans, s->span, source->number, &s->shadows) &&
