@@ -115,7 +115,7 @@ static NOINLINE bool cast_shadows(const struct span_shading *s, uint32_t light, 
     int left = OPEN_MOST;
 
     for (int at = words->first; at <= words->last; at++) {
-        enum span_part part = s->shadows.part[at / SHADOW_PART];
+        enum span_part part = (enum span_part)s->shadows.part[at / SHADOW_PART];
         if (part == SPAN_LIT)
             at |= SHADOW_PART - 1;
         if (part == SPAN_OPEN)
