@@ -166,8 +166,8 @@ TEST(lamps)
         }
 }
 
-/* Grey lights above balls of every material: each below, at and above 1, and their sum below, at and above 3, up to which
- * the light is summed before it gets the material's colour, and far above what a word holds. */
+/* Grey lights above balls of every material: each below, at and above 1, and their sum below, at and above 3, up to
+ * which the light is summed before it gets the material's colour, and far above what a word holds. */
 TEST(grey_lights)
 {
     static const double emissions[] = {.25, .9, 1, 1.4, 1.9};
@@ -185,6 +185,23 @@ TEST(grey_lights)
             lights[l].emission = (struct tia_rgb){e, e, e};
         }
         try_made("grey", i);
+    }
+}
+
+/* Three grey lights whose sum is 3 or less, right before a white ball that shines itself: as large as sums become. */
+TEST(the_largest_sum_of_grey_lights)
+{
+    start(24.342);
+    materials[0].emission = (struct tia_rgb)TIA_RGB(1, 1, 1);
+    ball(0, 0, -8086367, 505074, 0);
+    for (int l = 0; l < 3; l++) {
+        light(0, 0, -7449005, 0);
+        lights[l].emission = (struct tia_rgb){TIA_Q30_ONE, TIA_Q30_ONE, TIA_Q30_ONE};
+    }
+    for (tia_q30 less = 1; less < 1 << 24; less *= 4) {
+        lights[2].emission = (struct tia_rgb){TIA_Q30_ONE - less, TIA_Q30_ONE - less, TIA_Q30_ONE - less};
+        CHECK_EQ(tia_scene_check(&scene, NULL), TIA_OK);
+        try("sum", (unsigned)less, &scene, 125, 125, false, 15625);
     }
 }
 
@@ -306,6 +323,7 @@ int main(int argc, char **argv)
     RUN(scenes_of_any_magnitude);
     RUN(lamps);
     RUN(grey_lights);
+    RUN(the_largest_sum_of_grey_lights);
     RUN(far_and_tiny_balls);
     RUN(ties);
     RUN(the_eye_in_balls);

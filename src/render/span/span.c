@@ -7,6 +7,10 @@
 
 #define STEPS_SPHERES 8 /* most spheres of a scene that have steps, which take memory, but for the largest one */
 
+/* The sum of grey lights below which they are summed before they get the material's colour: 3, less what cosines by
+ * words may be above 1, 2^-8 each. So the light and an emission of 1 are below 4. */
+#define DIM (((uint32_t)3 << 30) - ((uint32_t)1 << 24))
+
 static ONCE_IN_FLASH bool is_black(const struct tia_rgb *colour)
 {
     return colour_is_black(colour);
@@ -148,7 +152,7 @@ int span_set_lights(struct tia_view *view)
 {
     struct span_view *spans = view->prepared;
     struct cancel cancel = view_cancel(view);
-    uint32_t left = (uint32_t)3 << 30;
+    uint32_t left = DIM;
 
     spans->grey = spans->grey_shadows;
     for (uint32_t i = 0; i < view->light_count && !cancelled(&cancel, 1); i++) {

@@ -49,7 +49,7 @@ struct span_view {
     bool tinted;              /* some material transmits shadow rays */
     bool grey_shadows;        /* the transmissions of all materials are grey */
     bool grey;                /* grey_shadows, and the colours of all lights are grey */
-    bool dim;                 /* so, and none is above 1, and their sum is below 3 */
+    bool dim;                 /* so, and none is above 1, and their sum is below DIM, almost 3 */
 };
 
 static inline const struct span_view *span_view_of(const struct tia_view *view)

@@ -134,9 +134,10 @@ void span_error_points(const struct primary_rays *primary, const struct span_sph
 
 num span_error_coarse(const struct span_error *error)
 {
+    if (error->t >= 0)
+        return 0;
     int moved = error->point + error->t + COARSE * ONE;
-
-    return error->t < 0 && moved < COARSE_MOST ? (num)num_bound_of_log(moved) + 2 : 0;
+    return moved < COARSE_MOST ? (num)num_bound_of_log(moved) + 2 : 0;
 }
 
 void span_error_of(const struct light_source *source, const struct light_line *line, struct span_error *error)
