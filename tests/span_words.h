@@ -24,4 +24,28 @@ static void try_words(struct span_shading *s, const struct seen pixels[], const 
     }
 }
 
+/* Returns a scene with a light close above a ground: along a row |w|^2 falls to a small part of itself, and rises
+ * again. It is valid until the next call. */
+static const struct tia_scene *close_light(void)
+{
+    static const struct tia_material grey = {.colour = TIA_RGB(.5, .5, .5)};
+    static struct tia_sphere ground;
+    static struct tia_light light;
+    static const struct tia_scene scene = {.materials = &grey,
+                                           .spheres = &ground,
+                                           .lights = &light,
+                                           .material_count = 1,
+                                           .sphere_count = 1,
+                                           .light_count = 1,
+                                           .camera = {.fov = TIA_Q16(50)}};
+    double r = exp2(3 + 6 * fabs(random_double())), x = 2 * random_double(), z = -6 + 3 * random_double();
+    double y = sqrt(r * r - x * x - (z + 6) * (z + 6)) - r - 1 + exp2(-5 + 5 * random_double());
+
+    ground = (struct tia_sphere){{0, (int32_t)lround(65536 * (-r - 1)), TIA_Q16(-6)}, (int32_t)lround(65536 * r), 0};
+    light = (struct tia_light){
+        .centre = {(int32_t)lround(65536 * x), (int32_t)lround(65536 * y), (int32_t)lround(65536 * z)},
+        .emission = TIA_RGB(1, 1, 1)};
+    return &scene;
+}
+
 #endif
