@@ -31,7 +31,7 @@ static inline num_u share(num_u part, uint32_t factor)
     return (num_u)words_high((uint32_t)part, factor);
 }
 
-/* Returns a colour of up to 1 times 2^32, at most 2 too small. */
+/* Returns a colour of up to 1 times 2^32, at most 1 too small. */
 static uint32_t factor_of(num_u colour)
 {
     return colour >= NUM_ONE ? UINT32_MAX : (uint32_t)colour << 2;
