@@ -1,5 +1,5 @@
 // engine.js - the worker that draws, and its helpers: starts them, sends them jobs and events.
-import {$, fail, page} from './page.js';
+import {$, fail, page, stopWorker} from './page.js';
 import {text} from './editor.js';
 
 let module, worker, suspends = page.query.get('suspend') !== 'no', ready = false, idle = true, kept = null;
@@ -65,7 +65,7 @@ export const load = () => ({load: {name: page.scene, text: text(), extra}});
 export const addFile = (name, bytes) => extra.set(name, bytes);
 
 function replace() {
-  worker.terminate();
+  stopWorker(worker);
   begin();
 }
 
@@ -115,7 +115,7 @@ export function order(what) {
   return new Promise((resolve, reject) => {
     const clerk = newWorker();
     clerk.onmessage = ({data}) => {
-      clerk.terminate();
+      stopWorker(clerk);
       data.failed ? reject(new Error(data.failed)) : resolve(data);
     };
     clerk.postMessage({module, order: {settings: settings(), ...load(), kept, ...what}});

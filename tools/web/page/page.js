@@ -30,3 +30,10 @@ export function element(tag, properties, ...children) {
   made.append(...children);
   return made;
 }
+
+// Stops a worker for good. A script that it was still loading fails after that, which is nobody's error.
+export function stopWorker(worker) {
+  worker.onmessage = null;
+  worker.onerror = event => event.preventDefault();
+  worker.terminate();
+}
