@@ -333,10 +333,20 @@ static void nearer(const struct simd_pair *pair, uint64_t *nearer, uint64_t *ope
         *open &= ((uint64_t)1 << pair->count) - 1;
 }
 
-static void fill(uint16_t *out, int count, uint16_t pixel)
+/* Compilers make stores of vectors from copies of a constant size, from loops over pixels often none. */
+static void fill(uint16_t *out, int count, const uint16_t pixels[8])
 {
-    for (int i = 0; i < count; i++)
-        out[i] = pixel;
+    const uint16_t *const end = out + count;
+    uint16_t own[8];
+
+    __builtin_memcpy(own, pixels, sizeof own);
+    for (; end - out >= 32; out += 32)
+        for (int i = 0; i < 32; i += 8)
+            __builtin_memcpy(out + i, own, sizeof own);
+    for (; end - out >= 8; out += 8)
+        __builtin_memcpy(out, own, sizeof own);
+    for (int i = 0; out < end; i++)
+        *out++ = own[i];
 }
 
 #ifndef STREAM /* an instruction set may define it */

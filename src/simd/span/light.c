@@ -70,11 +70,7 @@ static void light_flat(const struct tia_view *view, const struct simd_span *span
         flat->dithered = threshold[0] != threshold[1];
         flat->object = span->object;
     }
-    if (!flat->dithered)
-        view->simd->kernels->fill(out, count, flat->pixels[0]);
-    else
-        for (int i = 0; i < count; i++)
-            out[i] = flat->pixels[i & 7];
+    view->simd->kernels->fill(out, count, flat->pixels);
 }
 
 static size_t room(const struct tia_simd *simd)

@@ -123,7 +123,8 @@ struct simd_kernels {
     /* nearer: bit i is set if body 0 is nearer at pixel i; open: bit i is set if that is undecided. */
     void (*nearer)(const struct simd_pair *pair, uint64_t *nearer, uint64_t *open);
 
-    void (*fill)(uint16_t *out, int count, uint16_t pixel);
+    /* Repeats eight pixels. */
+    void (*fill)(uint16_t *out, int count, const uint16_t pixels[8]);
 
     /* Copies pixels past the caches, for pictures that do not fit into them. NULL without such an instruction. */
     void (*stream)(uint16_t *out, const uint16_t *from, int count);
