@@ -117,14 +117,21 @@ static void light(int32_t x, int32_t y, int32_t z)
     lights[scene.light_count++] = (struct tia_light){{x, y, z}, 0, TIA_RGB(1, 1, 1)};
 }
 
-static tia_rgb565 middle(void)
+static struct exact_picture picture_of(int width, int height)
 {
     struct exact_picture picture = {
-        .scene = &scene, .lights = lights, .light_count = scene.light_count, .width = 41, .height = 31};
+        .scene = &scene, .lights = lights, .light_count = scene.light_count, .width = width, .height = height};
 
     CHECK_EQ(tia_scene_check(&scene, NULL), TIA_OK);
-    tia_exact_depth(&picture.depth, 31, scene.camera.fov);
+    tia_exact_depth(&picture.depth, (uint32_t)height, scene.camera.fov);
     cost = (struct exact_cost){0, false};
+    return picture;
+}
+
+static tia_rgb565 middle(void)
+{
+    struct exact_picture picture = picture_of(41, 31);
+
     return tia_exact_pixel(&picture, 20, 15, TIA_Q30_ONE / 2, &cost);
 }
 
@@ -151,6 +158,22 @@ TEST(a_ray_that_touches_a_ball_meets_it)
     }
 }
 
+/* Along v = (3, 3, -4), the pixel (3, 0) of 4x4, with the centre s v + p (1, -1, 0), D is 34 (r^2 - 2 p^2), of which b^2 =
+ * (34 s)^2 has more than 64 bits: r = 1393 and p = 985 give -34, r = 577 and p = 408 give 34. */
+TEST(a_ray_that_almost_touches_a_ball_is_decided)
+{
+    const int32_t s = 366000001;
+
+    for (int met = 0; met < 2; met++) {
+        int32_t p = met ? 408 : 985, r = met ? 577 : 1393;
+        start();
+        ball(3 * s + p, 3 * s - p, -4 * s, r, 1);
+        struct exact_picture picture = picture_of(4, 4);
+        CHECK_EQ(tia_exact_pixel(&picture, 3, 0, TIA_Q30_ONE / 2, &cost), met ? RED : 0);
+        CHECK_EQ(cost.words, 4);
+    }
+}
+
 TEST(the_first_of_equally_near_balls_is_visible)
 {
     for (int first = 0; first < 2; first++)
@@ -169,6 +192,11 @@ TEST(the_first_of_equally_near_balls_is_visible)
             lights[0].radius++;
             CHECK_EQ(middle(), GREEN);
         }
+    start();
+    ball(UNIT(1), 0, UNIT(-20), UNIT(3), 1); /* at 20 - sqrt(8), both */
+    ball(UNIT(-1), 0, UNIT(-20), UNIT(3), 2);
+    CHECK_EQ(middle(), RED);
+    CHECK_EQ(cost.words, 2);
 }
 
 /* Where the light is at the eye, N.w/|w| is 1 in the middle. */
@@ -258,6 +286,20 @@ TEST(inside_a_ball)
     }
 }
 
+/* A path has the lights that reach its point, black ones as well, see tia/debug.h. */
+TEST(a_black_light_is_in_the_path)
+{
+    uint32_t hash = 0;
+
+    start();
+    ball(0, 0, UNIT(-20), UNIT(3), 0);
+    light(0, 0, 0);
+    lights[0].emission = (struct tia_rgb){0, 0, 0};
+    struct exact_picture picture = picture_of(41, 31);
+    CHECK_EQ(tia_exact_shade(&picture, 20, 15, 0, TIA_Q30_ONE / 2, NULL, &hash), 0);
+    CHECK_EQ(hash & 0xffff, 1);
+}
+
 TEST(costs_of_ties)
 {
     start();
@@ -279,6 +321,7 @@ int main(int argc, char **argv)
     RUN(few_pixels_are_hard);
 #endif
     RUN(a_ray_that_touches_a_ball_meets_it);
+    RUN(a_ray_that_almost_touches_a_ball_is_decided);
     RUN(the_first_of_equally_near_balls_is_visible);
     RUN(halves_are_rounded_up);
     RUN(a_light_in_the_tangent_plane_does_not_light);
@@ -286,6 +329,7 @@ int main(int argc, char **argv)
     RUN(a_shadow_ray_that_ends_beside_the_centre_is_not_blocked);
     RUN(a_light_on_a_ball_is_in_it);
     RUN(inside_a_ball);
+    RUN(a_black_light_is_in_the_path);
     RUN(costs_of_ties);
     return check_status();
 }

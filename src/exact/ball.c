@@ -153,7 +153,8 @@ void tia_ball_convert(int words, struct ball *r, int from_words, const struct ba
 }
 
 /* Sets r, of two words, to the sum of `large` with the sign `sign` and `small` with the sign small_sign, where large->e
- * >= small->e. */
+ * >= small->e. Bits of `small` below `low` need no radius of their own unless `low` is 0: otherwise put_two() cuts bits
+ * and adds a last bit, which is more than all of them. Where a carry shifts `low` down, its last bit is 0. */
 static void sum_two(struct ball *r, const struct ball *large, const struct ball *small, int sign, int small_sign,
                     struct ball_radius radius)
 {
@@ -161,12 +162,11 @@ static void sum_two(struct ball *r, const struct ball *large, const struct ball 
     uint64_t a = two(large), b = two(small), high = down < 64 ? b >> down : 0;
     uint64_t low = down == 0 || down > 127 ? 0 : down < 64 ? b << (64 - down) : b >> (down - 64);
 
-    if (down > 127 || (down > 64 && b << (128 - down)))
+    if (down > 127)
         radius = radius_add(radius, radius_of(1, large->e - 64));
     if (sign == small_sign) {
         high += a;
         if (high < a) { /* the carry becomes the top bit */
-            radius = low << 63 ? radius_add(radius, radius_of(1, large->e - 63)) : radius;
             put_two(r, sign, high >> 1 | UINT64_C(1) << 63, high << 63 | low >> 1, large->e - 63, radius);
             return;
         }
