@@ -273,7 +273,7 @@ static void try_light(struct span_shading *s, struct seen pixels[], uint32_t l)
         CHECK(facing <= 0 || exact > 0 || facing <= line.facing_doubt);
     }
     try_words(s, pixels, &source, &line);
-    span_bound_lambert(s, &source, lit.most_half);
+    bound_lambert(s, &source, lit.most_half);
     if (!any || !s->bounded)
         return;
     try_casters(pixels, &source, s);

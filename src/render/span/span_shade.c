@@ -9,7 +9,7 @@
 #define SPAN_LAMBERT_MOST (-9 * 256) /* the largest error of a cosine with which pixels are decided */
 
 /* Leaves all pixels open. */
-NOINLINE void span_give_up(struct span_shading *s)
+static NOINLINE void give_up(struct span_shading *s)
 {
     s->open = PIXELS_ALL;
     s->given_up = !s->span->path_hash && !s->span->colours;
@@ -84,14 +84,14 @@ static bool cast_shadow(struct span_shading *s, const struct light_source *sourc
     line.first = reach.first;
     line.count = reach.end;
     if (s->bounded && !span_error_shadow(source, caster, &s->error, &line))
-        span_give_up(s);
+        give_up(s);
     s->spans->kernels->shadow(&line, span->t, lit);
     return true;
 }
 
 /* Casts the shadows of spheres that may block the light in a part of the span: of those near it, unless NULL. */
-NOINLINE void span_cast_shadows(struct span_shading *s, const struct light_source *source, const uint8_t *near,
-                                struct span reach, struct lit *lit, struct tint *tint)
+static NOINLINE void cast_shadows(struct span_shading *s, const struct light_source *source, const uint8_t *near,
+                                  struct span reach, struct lit *lit, struct tint *tint)
 {
     const struct shaded_span *span = s->span;
     const struct tia_scene *scene = s->view->scene;
@@ -148,16 +148,16 @@ static void bound_light(struct span_shading *s, const struct light_source *sourc
     line->facing_doubt = span_error_facing(source, line, &s->error);
     s->bounded = s->error.t < 0;
     if (!s->bounded)
-        span_give_up(s);
+        give_up(s);
 }
 
 /* Bounds the cosine's error, if possible; otherwise all pixels are open. */
-void span_bound_lambert(struct span_shading *s, const struct light_source *source, int most_half)
+static void bound_lambert(struct span_shading *s, const struct light_source *source, int most_half)
 {
     span_error_lambert(source, num_least_normal(most_half), &s->error);
     s->bounded = s->bounded && s->error.lambert <= SPAN_LAMBERT_MOST;
     if (!s->bounded)
-        span_give_up(s);
+        give_up(s);
 }
 
 /* Casts the shadows of a light: of spheres that may block it, if there are few such. */
@@ -167,9 +167,9 @@ static void find_casters(struct span_shading *s, const struct light_source *sour
     bool few = s->bounded && s->spans->coherence && s->view->scene->sphere_count > 2;
 
     if (!few)
-        span_cast_shadows(s, source, NULL, all, lit, tint);
+        cast_shadows(s, source, NULL, all, lit, tint);
     else if (s->spans->coherence->shadows(s->spans, s->span, source->number, &s->shadows))
-        span_cast_shadows(s, source, s->shadows.near, s->shadows.reach, lit, tint);
+        cast_shadows(s, source, s->shadows.near, s->shadows.reach, lit, tint);
 }
 
 /* Adds the light that arrives from one light by the kernels. */
@@ -185,7 +185,7 @@ NOINLINE void span_shade_by_kernels(struct span_shading *s, const struct light_s
     if (!any)
         return;
     if (NUM_CERTIFIED)
-        span_bound_lambert(s, source, lit.most_half);
+        bound_lambert(s, source, lit.most_half);
     find_casters(s, source, &lit, tint);
     s->open |= lit.open;
     if (span->path_hash && source->number < 16)
@@ -351,7 +351,7 @@ static NOINLINE pixel_set shade(const struct tia_view *view, struct shaded_span 
             shade_from_light(&s, l, NULL);
     const num_u *const rgb[3] = {s.sum[0], s.sum[s.grey ? 0 : 1], s.sum[s.grey ? 0 : 2]};
     if (NUM_CERTIFIED && s.doubt > NUM_DOUBT_MOST) {
-        span_give_up(&s);
+        give_up(&s);
         s.doubt = 0;
     }
     pixel_set near = s.spans->kernels->pack(rgb, s.doubt, threshold, span->x, span->count, pixels) & ~s.open;

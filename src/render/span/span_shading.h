@@ -22,24 +22,13 @@ struct span_shading {
     struct span_depth ends[2]; /* of the first and the last pixel */
     struct span_error error;   /* of the light being added */
     bool bounded;              /* the light's error has a bound */
-    int worst;                 /* the cosine's error, the largest one so far */
     bool words;                /* pixels may be computed by words.h */
     struct span_lit lit;       /* the span's points */
     struct span_shadows shadows;
 };
 
-/* Leaves all pixels open. */
-void span_give_up(struct span_shading *s);
-
-/* Bounds the cosine's error, if possible; otherwise all pixels are open. */
-void span_bound_lambert(struct span_shading *s, const struct light_source *source, int most_half);
-
 /* The part of a light that half-transparent spheres transmit to each pixel of a span. */
 struct tint;
-
-/* Casts the shadows of spheres that may block the light in a part of the span: of those near it, unless NULL. */
-void span_cast_shadows(struct span_shading *s, const struct light_source *source, const uint8_t *near,
-                       struct span reach, struct lit *lit, struct tint *tint);
 
 /* Prepares a light, and bounds its errors; false if all pixels are left open. */
 bool span_prepare_light(struct span_shading *s, uint32_t l, struct light_source *source, struct light_line *line);
