@@ -136,6 +136,21 @@ TEST(a_row_that_ends_the_picture)
         }
 }
 
+TEST(a_scene_that_is_refused)
+{
+    const struct tia_sphere sphere = {{0, 0, TIA_Q16(-9)}, TIA_Q16(1), 0};
+    const struct tia_scene scene = {
+        .camera = {.fov = TIA_Q16(40)}, .spheres = &sphere, .sphere_count = 1, .material_count = 1};
+    const struct tia_core *const cores[] = {&tia_core_q16, &tia_core_spheres, &tia_core_spheres_small};
+
+    for (int i = 0; i < 3; i++) {
+        const struct tia_rows rows = rows_of(cores[i], &scene);
+        struct panel panel = {.stop_after = H};
+        CHECK_EQ(tia_draw_rows(&rows, rows_memory, sizeof rows_memory, send, &panel), TIA_ERR_RANGE);
+        CHECK_EQ(panel.rows, 0);
+    }
+}
+
 TEST(fewer_columns_take_less_memory)
 {
     struct tia_rows rows = rows_of(&tia_core_spheres, &tia_thesis_scene);
@@ -157,6 +172,7 @@ int main(void)
     RUN(lights);
     RUN(random_scenes);
     RUN(a_row_that_ends_the_picture);
+    RUN(a_scene_that_is_refused);
     RUN(fewer_columns_take_less_memory);
     return check_status();
 }

@@ -29,8 +29,8 @@ struct tia_rows {
 #endif
 };
 
-/* Returns the number of bytes of memory that tia_draw_rows needs, which `tia-compile --memory` writes as a macro;
- * SIZE_MAX when that number does not fit. */
+/* Returns the number of bytes of memory that tia_draw_rows needs for a scene that tia_scene_check accepts, which
+ * `tia-compile --memory` writes as a macro; SIZE_MAX when that number does not fit. */
 size_t tia_draw_rows_size(const struct tia_rows *rows);
 
 /* Draws the picture in `memory`, aligned for uint64_t, and calls `row` for each row, from y = 0 at the top to

@@ -99,10 +99,12 @@ int tia_draw_rows(const struct tia_rows *rows, void *memory, size_t size,
 
     if (!is_valid(rows) || !memory_is_usable(memory) || !row)
         return TIA_ERR_ARGUMENT;
+    int status = prepare(rows, memory, size, &view); /* first: only a scene that it accepts has sizes */
+    if (status)
+        return status;
     const struct layout layout = layout_of(rows);
     if (size < layout.end)
         return TIA_ERR_MEMORY;
-    int status = prepare(rows, memory, layout.hits, &view);
     for (unsigned y = 0; y < rows->height && !status; y++) {
         status = draw_row(rows, view, memory, &layout, y);
         if (!status)
