@@ -23,6 +23,7 @@
 #include "key_decoder.h"
 #include "picture_place.h"
 #include "terminal.h"
+#include "terminal_colour.h"
 #include "typed.h"
 #include "window_signals.h"
 
@@ -310,8 +311,9 @@ void *port_tty_create(const struct port_wish *wish)
     }
     tty->device = wish->device;
     tty->why = wish->why;
-    tty->on = wish->pointer ? mouse_on : paste_on;
-    tty->off = wish->pointer ? mouse_off : paste_off;
+    bool dumb = terminal_is_dumb(getenv("TERM"));
+    tty->on = dumb ? "" : wish->pointer ? mouse_on : paste_on;
+    tty->off = dumb ? "" : wish->pointer ? mouse_off : paste_off;
     tty->stops = wish->pointer;
     tty->fd = -1;
     return tty;

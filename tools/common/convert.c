@@ -25,6 +25,9 @@ static int check(const struct converter *converter, struct request *request, int
     const char *why = "", *option = converter->check ? converter->check(request, &why) : NULL;
     if (option)
         return fail(converter, 2, option, why);
+    if (request->output && request->memory && strcmp(request->output, "-") != 0 &&
+        strcmp(request->output, request->memory) == 0)
+        return fail(converter, 2, "--memory", "needs a file of its own");
     return request->output || request->memory ? 0 : fail(converter, 2, "--output", "no file is named (see --help)");
 }
 

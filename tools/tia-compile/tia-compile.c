@@ -13,12 +13,13 @@
 
 #define LIGHTS_MOST 65535
 
-/* True for a name in C of less than 64 letters. */
+/* True for a name of less than 64 letters that a program may give a table: one that C reserves is not. */
 static bool is_name(const char *value)
 {
     static const char keywords[] =
         " auto break case char const continue default do double else enum extern float for goto if inline int long "
-        "register restrict return short signed sizeof static struct switch typedef union unsigned void volatile while ";
+        "register restrict return short signed sizeof static struct switch typedef union unsigned void volatile while "
+        "NULL asm bool false main offsetof true ";
     char word[68];
     size_t length = strlen(value);
     bool fine = length > 0 && length < 64;
@@ -27,6 +28,8 @@ static bool is_name(const char *value)
         fine = fine &&
                (isalpha((unsigned char)value[i]) || value[i] == '_' || (i > 0 && isdigit((unsigned char)value[i])));
     (void)snprintf(word, sizeof word, " %.64s ", value);
+    if (value[0] == '_' && (value[1] == '_' || isupper((unsigned char)value[1])))
+        return false;
     return fine && !strstr(keywords, word);
 }
 

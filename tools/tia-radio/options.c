@@ -208,6 +208,8 @@ static int check_map(const struct options *o)
         return check_verify(o);
     if (!o->output && !o->csv)
         return refuse(REFUSED, "--map: needs --output FILE or --csv FILE");
+    if (o->output && o->csv && strcmp(o->output, "-") != 0 && strcmp(o->output, o->csv) == 0)
+        return refuse(REFUSED, "--csv: needs a file of its own");
     if (o->method == METHOD_SBR)
         return refuse(REFUSED, "--map: needs exact paths (--method image or hybrid)");
     if (o->has_rows && o->last_row >= o->height)
