@@ -188,6 +188,20 @@ TEST(grey_lights)
     }
 }
 
+/* A coloured light of more than 1 right before a white ball, and a dim one: the sum of both is cut to 1 before and after the
+ * second. */
+TEST(a_bright_light_and_a_dim_one)
+{
+    start(40);
+    materials[0].colour = (struct tia_rgb)TIA_RGB(1, 1, 1);
+    ball(0, 0, U(-12), U(4), 0);
+    light(0, 0, U(-4), 0);
+    light(U(1), U(1), U(-4), 0);
+    lights[0].emission = (struct tia_rgb)TIA_RGB(1.5, 1.25, 1);
+    lights[1].emission = (struct tia_rgb)TIA_RGB(.5, .25, .125);
+    try_made("bright", 0);
+}
+
 /* Three grey lights whose sum is 3 or less, right before a white ball that shines itself: as large as sums become. */
 TEST(the_largest_sum_of_grey_lights)
 {
@@ -323,6 +337,7 @@ int main(int argc, char **argv)
     RUN(scenes_of_any_magnitude);
     RUN(lamps);
     RUN(grey_lights);
+    RUN(a_bright_light_and_a_dim_one);
     RUN(the_largest_sum_of_grey_lights);
     RUN(far_and_tiny_balls);
     RUN(ties);

@@ -89,12 +89,20 @@ TEST(spheres_that_need_rays)
 /* Views refuse new lights that need rays. */
 TEST(lights_that_need_rays)
 {
-    struct tia_light light = tia_thesis_scene.bindings[0].state;
+    const struct tia_light own = tia_thesis_scene.bindings[0].state;
+    struct tia_light light[3] = {own, own, own};
     struct tia_view *view;
 
-    light.kind = TIA_AMBIENT_LIGHT;
+    light[0].kind = TIA_AMBIENT_LIGHT;
+    light[1].kind = TIA_SPOT_LIGHT;
+    light[1].direction = (struct tia_dir3)TIA_DIR3(0, -1, 0);
+    light[1].inner = TIA_Q16(20);
+    light[1].outer = TIA_Q16(30);
+    light[2].kind = TIA_DIRECTIONAL_LIGHT;
+    light[2].direction = light[1].direction;
     CHECK_EQ(init(cores[0], &view, &tia_thesis_scene), TIA_OK);
-    CHECK_EQ(tia_view_set_lights(view, &light, 1), TIA_ERR_RANGE);
+    for (int i = 0; i < 3; i++)
+        CHECK_EQ(tia_view_set_lights(view, &light[i], 1), TIA_ERR_RANGE);
 }
 
 int main(void)
