@@ -8,6 +8,7 @@
 #include "common/scene/scene_load.h"
 #include "common/scene/scene_report.h"
 #include "common/signals.h"
+#include "common/sink.h"
 #include "ports.h"
 
 static int fail(const struct converter *converter, int status, const char *what, const char *why)
@@ -25,8 +26,7 @@ static int check(const struct converter *converter, struct request *request, int
     const char *why = "", *option = converter->check ? converter->check(request, &why) : NULL;
     if (option)
         return fail(converter, 2, option, why);
-    if (request->output && request->memory && strcmp(request->output, "-") != 0 &&
-        strcmp(request->output, request->memory) == 0)
+    if (sink_is_same(request->output, request->memory))
         return fail(converter, 2, "--memory", "needs a file of its own");
     return request->output || request->memory ? 0 : fail(converter, 2, "--output", "no file is named (see --help)");
 }

@@ -147,3 +147,8 @@ void sink_discard(struct sink *sink)
     free(sink->path);
     sink->path = NULL;
 }
+
+bool sink_is_same(const char *a, const char *b)
+{
+    return a && b && strcmp(a, "-") != 0 && strcmp(a, b) == 0;
+}

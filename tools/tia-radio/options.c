@@ -9,6 +9,7 @@
 #include "common/image/image.h"
 #include "common/message.h"
 #include "common/parse.h"
+#include "common/sink.h"
 #include "refuse.h"
 #include "wall_materials.h"
 
@@ -208,7 +209,7 @@ static int check_map(const struct options *o)
         return check_verify(o);
     if (!o->output && !o->csv)
         return refuse(REFUSED, "--map: needs --output FILE or --csv FILE");
-    if (o->output && o->csv && strcmp(o->output, "-") != 0 && strcmp(o->output, o->csv) == 0)
+    if (sink_is_same(o->output, o->csv))
         return refuse(REFUSED, "--csv: needs a file of its own");
     if (o->method == METHOD_SBR)
         return refuse(REFUSED, "--map: needs exact paths (--method image or hybrid)");

@@ -148,7 +148,7 @@ static int check(const struct options *o)
 {
     if (o->action != ACTION_DRAW || o->gazes || strcmp(o->output, "-") == 0)
         return fail(EXIT_USAGE, "--record: is for files (-o FILE), without --gaze");
-    if (strcmp(o->record, "-") == 0 || strcmp(o->record, o->output) == 0)
+    if (strcmp(o->record, "-") == 0 || sink_is_same(o->record, o->output))
         return fail(EXIT_USAGE, "--record: needs a file of its own");
     if (o->light.calibration)
         return fail(EXIT_USAGE, "--record: not with --calibration (--lenticular has its keys)");
