@@ -243,9 +243,7 @@ int main(int argc, char **argv)
              : run.options.shadows ? shadows_compare(&run.options, pool)
                                    : compare_arithmetics(&run);
     threads_destroy(pool);
-    if (fflush(stdout) != 0 || ferror(stdout))
-        result = failed("standard output", "cannot be written");
-    return result;
+    return message_output("tia-compare", "") ? 1 : result;
 }
 
 #else

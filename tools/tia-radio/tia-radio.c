@@ -2,6 +2,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "common/message.h"
 #include "common/signals.h"
 #include "coverage.h"
 #include "link_report.h"
@@ -89,8 +90,8 @@ static int run_links(struct run *run)
             result = run_link(run, o->tx.array[i], o->rx.array[k], i + k == 0);
     if (o->json && result == FINE)
         report_json_end();
-    if (result == FINE && (fflush(stdout) != 0 || ferror(stdout)))
-        result = refuse(FAILED, "standard output: cannot be written");
+    if (result == FINE && message_output("tia-radio", ""))
+        result = FAILED;
     return result == FINE && o->output ? picture_draw(o, &run->site, run->search.pool, &run->all, run->ends) : result;
 }
 

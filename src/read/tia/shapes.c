@@ -205,13 +205,14 @@ int tia_line_shape(struct tia_parse *job, enum tia_shape_kind kind)
     return read_fields(job, &line);
 }
 
-/* Sets the mesh of an instance. Which meshes are models is known in the last pass. */
-static void set_mesh(struct tia_parse *job, struct shape_line *line, uint32_t mesh)
+/* Sets the mesh of an instance. Which meshes are models is known in the last pass; one whose line has a mistake may be a
+ * model. */
+static void set_mesh(struct tia_parse *job, struct shape_line *line, const struct tia_word *name, uint32_t mesh)
 {
     const struct tia_parse_model *model = job->pass == TIA_FILLING ? tia_model_at(job, mesh) : NULL;
 
     line->shape.mesh = mesh;
-    line->may_own = model || job->pass != TIA_FILLING;
+    line->may_own = model || job->pass != TIA_FILLING || tia_parse_has(job, TIA_NAMED_FAULTY, name);
     line->parts = model ? model->parts : 1;
 }
 
@@ -230,7 +231,7 @@ int tia_line_instance(struct tia_parse *job)
         line.shape.kind = TIA_GRID;
         line.shape.grid = index / 2;
     } else {
-        set_mesh(job, &line, index / 2);
+        set_mesh(job, &line, &solid, index / 2);
     }
     if (job->pass == TIA_COUNTING)
         tia_models_note(job, &solid);
