@@ -2,6 +2,7 @@
 
 #include <stddef.h>
 #include <string.h>
+#include <strings.h>
 
 #include <tia/tia.h>
 
@@ -121,6 +122,16 @@ static int check_exact(struct options *options)
     return 0;
 }
 
+static int check_heatmap(const struct options *options)
+{
+    const char *name = options->heatmap;
+    size_t length = name ? strlen(name) : 0;
+
+    if (name && (length < 5 || strcasecmp(name + length - 4, ".png") != 0))
+        return mistake("--heatmap", "not a file in .png");
+    return 0;
+}
+
 /* Checks --shadows, which excludes the options for comparing arithmetics. */
 static int check_shadows(struct options *options)
 {
@@ -164,6 +175,8 @@ int options_parse(struct options *options, int argc, char **argv)
         result = check_shadows(options);
     if (result == 0)
         result = check_exact(options);
+    if (result == 0)
+        result = check_heatmap(options);
     bool any = options->random || options->rays_random || options->ties || options->hard || options->scene_count;
     options->thesis |= !any || options->keys;
     return result == 0 ? COMMAND_RUN : result;
