@@ -12,7 +12,7 @@ DEPS_ARCH := gcc-i686-linux-gnu gcc-arm-linux-gnueabi gcc-arm-linux-gnueabihf gc
 DEPS_ARCH_FULL := gcc-powerpc-linux-gnu libc6-dev-powerpc-cross gcc-powerpc64le-linux-gnu libc6-dev-ppc64el-cross \
         gcc-mips-linux-gnu libc6-dev-mips-cross gcc-sparc64-linux-gnu libc6-dev-sparc64-cross \
         gcc-hppa-linux-gnu libc6-dev-hppa-cross gcc-alpha-linux-gnu libc6.1-dev-alpha-cross
-DEPS_CHECK := make python3 clang clang-format libclang-rt-14-dev universal-ctags file binutils man-db \
+DEPS_CHECK := make python3 clang clang-format clang-tidy llvm cppcheck libclang-rt-14-dev universal-ctags file binutils man-db \
         $(DEPS_ARCH) \
         gcc-arm-none-eabi gcc-riscv64-unknown-elf qemu-system-arm qemu-system-misc frama-c-base why3 z3 cvc4 gappa \
         qemu-system-x86 seabios busybox-static xz-utils linux-headers-amd64 povray tmux screen zsh fish g++ cmake \

@@ -4,12 +4,16 @@
 
 The core is compiled once more, by gcc for lines (gcov) and by clang for branches (llvm-cov), each with the code for 64 bits
 and with that for 32 (as32.h), and linked with the objects of the tests of tests.txt, which are built already. What is
-executed in one of the two counts. Before the lines of asserted.txt the copies have assertions, which end a test."""
+executed in one of the two counts. Before the lines of asserted.txt the copies have assertions, which end a test.
+
+Each test runs on one processor alone: counters are not atomic, and llvm-cov computes a side of a branch as a difference of two,
+which an increment that threads lost on several processors would make wrong."""
 import collections
 import concurrent.futures
 import glob
 import json
 import os
+import queue
 import shlex
 import shutil
 import subprocess
@@ -100,23 +104,29 @@ def test_object(build, folder, compiler, flags, name):
     return f"{folder}/test-{name}.o"
 
 
-def run_test(build, folder, compiler, flags, name):
-    """Whether a test passes; flags: to compile and to link it."""
+def run_test(build, folder, compiler, flags, name, processors):
+    """Whether a test passes; flags: to compile and to link it; processors: a queue of those without a test."""
     parts = [f"{build}/{part}" for part in ("liboracle.a", "libcommon.a", "libports.a", "libtia-f64.a", "libtia-f32.a",
                                             "libtia-f128.a", "libtia-simd.a", "libtia-radio.a")]
     program = f"{folder}/test_{name}"
     run(compiler, "-pthread", *flags[1], "-Wl,--wrap=_exit", "-o", program, test_object(build, folder, compiler, flags[0], name),
         f"{folder}/exit.o", *[part for part in parts if os.path.exists(part)], f"{folder}/libtia.a", *libraries(build))
     environment = {**os.environ, "CHECK_QUICK": "yes", "LLVM_PROFILE_FILE": f"{folder}/{name}-%m.profraw"}
-    return not subprocess.run([program], env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                              check=False).returncode
+    processor = processors.get()
+    try:
+        return not subprocess.run(["taskset", "--cpu-list", str(processor), program], env=environment, stdout=subprocess.DEVNULL,
+                                  stderr=subprocess.DEVNULL, check=False).returncode
+    finally:
+        processors.put(processor)
 
 
 def run_tests(build, folder, compiler, flags):
     """Those of the tests that fail."""
-    names = text_of(TESTS).split()
-    with concurrent.futures.ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-        passed = pool.map(lambda name: run_test(build, folder, compiler, flags, name), names)
+    names, processors = text_of(TESTS).split(), queue.Queue()
+    for processor in os.sched_getaffinity(0):
+        processors.put(processor)
+    with concurrent.futures.ThreadPoolExecutor(processors.qsize()) as pool:
+        passed = pool.map(lambda name: run_test(build, folder, compiler, flags, name, processors), names)
     return {name for name, good in zip(names, passed) if not good}
 
 

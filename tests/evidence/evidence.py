@@ -27,9 +27,13 @@ import stack  # noqa: E402
 WORKERS = os.cpu_count() or 1
 
 
-def version(*command):
+def said_by(*command):
     said = subprocess.run(command, capture_output=True, text=True, check=False)
-    return (said.stdout + said.stderr).strip().splitlines()[0]
+    return (said.stdout + said.stderr).strip()
+
+
+def version(*command):
+    return said_by(*command).splitlines()[0]
 
 
 # What the parts run, by its package in Debian.
