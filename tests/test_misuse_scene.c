@@ -1,6 +1,7 @@
 /* Misuse of readers, hierarchies, animation, cameras, light fields and the other parts of a scene. */
 #include <limits.h>
 #include <tia/debug.h>
+#include <tia/fit.h>
 
 #include "misuse_scene.h"
 
@@ -194,8 +195,17 @@ TEST(misuse_of_light_fields)
     const struct tia_camera good = {.projection = TIA_FRUSTUM,
                                     .window = {TIA_Q16(-1), TIA_Q16(1), TIA_Q16(-1), TIA_Q16(1), TIA_Q16(4)},
                                     .line = TIA_Q16(2)};
-    struct tia_camera bad = good, minus = good, made;
+    struct tia_camera bad = good, minus = good, edge = good, wild = good, made;
+    const struct tia_camera_change turned = {.height = -(INT64_C(1) << 48)};
+    const struct tia_placement placement = {.bits = 16};
 
+    edge.eye.x = edge.reference.x = TIA_Q16(32767.5); /* an eye on its line is beyond 32768 */
+    edge.reference.z = TIA_Q16(-1);
+    edge.up.y = TIA_Q16(1);
+    wild.eye = (struct tia_vec3){1755178984, -1543150763, 800496670};
+    wild.reference = (struct tia_vec3){-1358659468, -65298, INT32_MIN};
+    wild.up.y = TIA_Q16(1);
+    wild.line = -INT32_MAX;
     bad.up = (struct tia_vec3){0, TIA_Q16(1), 0}; /* the reference coincides with the eye */
     minus.line = INT32_MIN;
     REFUSES(tia_light_field_camera(NULL, &good, 0));
@@ -206,6 +216,14 @@ TEST(misuse_of_light_fields)
     GIVES(TIA_ERR_RANGE, field_camera(bad, 0));
     GIVES(TIA_ERR_RANGE, field_camera(minus, 0));
     GIVES(TIA_OK, field_camera(good, TIA_Q16(-2)));
+    GIVES(TIA_OK, field_camera(edge, TIA_Q16(-2)));
+    GIVES(TIA_ERR_RANGE, field_camera(edge, TIA_Q16(1)));
+    GIVES(TIA_ERR_RANGE, field_camera(wild, 0));
+    made = (struct tia_camera){.fov = TIA_Q16(40), .line = INT32_MIN};
+    GIVES(TIA_ERR_RANGE, field_camera(made, INT32_MIN));
+    made.line = 0;
+    tia_camera_alter(&made, &turned, &placement);
+    GIVES(INT32_MAX, made.window.bottom);
     GIVES(0, tia_light_field_place(NULL, 1, 5));
     GIVES(0, tia_light_field_place(&good, 5, 0));
     GIVES(0, tia_light_field_place(&good, 5, 1));

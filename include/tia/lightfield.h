@@ -80,7 +80,8 @@ tia_q16 tia_light_field_place(const struct tia_camera *camera, uint32_t view, ui
 
 /* Sets *out to the ordinary off-axis camera whose eye is at `place` on the observer line: eye and reference are moved
  * by `place` times u, each coordinate rounded to the nearest 2^-16; the window stays where it is, and out->line is 0.
- * TIA_ERR_RANGE when `place` is beyond the line's ends, and when tia_scene_check refuses *camera. */
+ * TIA_ERR_RANGE, and *out stays as it is, when `place` is beyond the line's ends, when tia_scene_check refuses *camera,
+ * and when the moved eye or reference has a coordinate outside of -32768 to 32768. */
 int tia_light_field_camera(struct tia_camera *out, const struct tia_camera *camera, tia_q16 place);
 
 #ifdef __cplusplus

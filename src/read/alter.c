@@ -75,7 +75,7 @@ static void alter(struct tia_camera *camera, const struct tia_camera_change *cha
     camera->projection = change->height ? TIA_ORTHOGRAPHIC : TIA_PERSPECTIVE;
     camera->fov = change->fov;
     tia_q16 half = length_of(change->height / 2, placement, longest);
-    camera->window = (struct tia_window){.bottom = -half, .top = half};
+    camera->window = (struct tia_window){.bottom = tia_saturate_s32(-(int64_t)half), .top = half};
 }
 
 void tia_camera_alter(struct tia_camera *camera, const struct tia_camera_change *change,

@@ -33,9 +33,15 @@ tia_q16 tia_light_field_place(const struct tia_camera *camera, uint32_t view, ui
     return (tia_q16)((int64_t)((2 * steps + last) / (2 * last)) - camera->line);
 }
 
-static struct tia_vec3 moved(struct tia_vec3 point, struct tia_vec3 by)
+/* Moves a point; false, and the point stays, if a coordinate would leave its range. */
+static bool move(struct tia_vec3 *point, struct tia_vec3 by)
 {
-    return (struct tia_vec3){point.x + by.x, point.y + by.y, point.z + by.z};
+    int64_t x = (int64_t)point->x + by.x, y = (int64_t)point->y + by.y, z = (int64_t)point->z + by.z;
+
+    if (tia_saturate_s32(x) != x || tia_saturate_s32(y) != y || tia_saturate_s32(z) != z)
+        return false;
+    *point = (struct tia_vec3){(tia_q16)x, (tia_q16)y, (tia_q16)z};
+    return true;
 }
 
 int tia_light_field_camera(struct tia_camera *out, const struct tia_camera *camera, tia_q16 place)
@@ -44,16 +50,18 @@ int tia_light_field_camera(struct tia_camera *out, const struct tia_camera *came
 
     if (!out || !camera)
         return TIA_ERR_ARGUMENT;
-    if (place > camera->line || place < -camera->line || tia_scene_check(&(struct tia_scene){.camera = *camera}, NULL))
+    if (place > camera->line || -(int64_t)place > camera->line ||
+        tia_scene_check(&(struct tia_scene){.camera = *camera}, NULL))
         return TIA_ERR_RANGE;
     axis_of(camera, u);
     struct tia_vec3 offset = tia_light_offset(u, place);
-    *out = *camera;
-    out->eye = moved(camera->eye, offset);
-    out->reference = moved(camera->reference, offset);
-    out->window.left -= place;
-    out->window.right -= place;
-    out->line = 0;
+    struct tia_camera view = *camera;
+    if (!move(&view.eye, offset) || !move(&view.reference, offset))
+        return TIA_ERR_RANGE;
+    view.window.left -= place;
+    view.window.right -= place;
+    view.line = 0;
+    *out = view;
     return TIA_OK;
 }
 

@@ -45,7 +45,7 @@ static int check_field(const struct check *check, const struct tia_light_field *
 
 void tia_check_eyes(const struct tia_camera *camera, struct tia_bounds *eyes)
 {
-    int64_t line = camera->line;
+    int64_t line = camera->line > 0 ? camera->line : 0;
 
     eyes->min = (struct tia_vec3){tia_saturate_s32(eyes->min.x - line), tia_saturate_s32(eyes->min.y - line),
                                   tia_saturate_s32(eyes->min.z - line)};
