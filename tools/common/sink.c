@@ -148,7 +148,37 @@ void sink_discard(struct sink *sink)
     sink->path = NULL;
 }
 
+/* Returns the path of the file that a sink of this name replaces, without symbolic links, to be freed by free(). NULL if
+ * its directory is not there, or memory is short. */
+static char *replaced_by(const char *name)
+{
+    char *target = temporary_target(name), *full = NULL;
+    char *slash = target ? strrchr(target, '/') : NULL;
+    const char *last = slash ? slash + 1 : target;
+
+    if (slash)
+        *slash = '\0';
+    char *folder = target ? realpath(!slash ? "." : slash == target ? "/" : target, NULL) : NULL;
+    if (folder && asprintf(&full, "%s/%s", folder, last) < 0)
+        full = NULL;
+    free(folder);
+    free(target);
+    return full;
+}
+
 bool sink_is_same(const char *a, const char *b)
 {
-    return a && b && strcmp(a, "-") != 0 && strcmp(a, b) == 0;
+    struct stat one, other;
+
+    if (!a || !b || strcmp(a, "-") == 0 || strcmp(b, "-") == 0)
+        return false;
+    if (strcmp(a, b) == 0)
+        return true;
+    if (stat(a, &one) == 0 && stat(b, &other) == 0)
+        return S_ISREG(one.st_mode) && one.st_dev == other.st_dev && one.st_ino == other.st_ino;
+    char *first = replaced_by(a), *second = replaced_by(b);
+    bool same = first && second && strcmp(first, second) == 0;
+    free(first);
+    free(second);
+    return same;
 }

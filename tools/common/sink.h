@@ -33,8 +33,8 @@ int sink_commit(struct sink *sink);
 /* Ends the sink without a file. */
 void sink_discard(struct sink *sink);
 
-/* True if two names, each a sink's or NULL, are of one file, of which the second sink would leave only its own bytes:
- * standard output takes both. */
+/* True if two names, each a sink's or NULL, are of one file, however they are spelled: the second sink would leave only
+ * its own bytes. Standard output takes both. */
 bool sink_is_same(const char *a, const char *b);
 
 #endif

@@ -36,6 +36,8 @@ static int check_parts(const struct options *options)
 {
     if (options->resume && !options->output)
         return fail(EXIT_USAGE, "--resume: is for files (-o FILE)");
+    if (options->resume && series_has(options->output, options->resume))
+        return fail(EXIT_USAGE, "--resume: needs a file of its own");
     if (!options->samples_range)
         return EXIT_FINE;
     if (!is_sampled(options) || !options->output)

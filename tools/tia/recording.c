@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 
 #include "arguments.h"
+#include "common/image/series.h"
 #include "common/inputs.h"
 #include "common/message.h"
 #include "common/record/row_hashes.h"
@@ -148,7 +149,7 @@ static int check(const struct options *o)
 {
     if (o->action != ACTION_DRAW || o->gazes || strcmp(o->output, "-") == 0)
         return fail(EXIT_USAGE, "--record: is for files (-o FILE), without --gaze");
-    if (strcmp(o->record, "-") == 0 || sink_is_same(o->record, o->output))
+    if (strcmp(o->record, "-") == 0 || series_has(o->output, o->record) || sink_is_same(o->record, o->resume))
         return fail(EXIT_USAGE, "--record: needs a file of its own");
     if (o->light.calibration)
         return fail(EXIT_USAGE, "--record: not with --calibration (--lenticular has its keys)");

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/sink.h"
 #include "ports.h"
 
 enum { DIGITS_MOST = 9 };
@@ -38,6 +39,29 @@ char *series_path(const char *name, uint32_t frame)
     if (asprintf(&path, "%.*s%0*u%s", (int)(pattern - name), name, digits, (unsigned)frame, pattern + length) < 0)
         return NULL;
     return path;
+}
+
+/* Returns the last part of a path. */
+static const char *base_of(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+
+    return slash ? slash + 1 : path;
+}
+
+bool series_has(const char *name, const char *file)
+{
+    int length, digits;
+    const char *pattern = find_pattern(name, &length, &digits), *base = base_of(name), *own = base_of(file);
+
+    if (!pattern)
+        return sink_is_same(name, file);
+    if (pattern < base || strncmp(base, own, (size_t)(pattern - base)) != 0)
+        return false;
+    char *path = series_path(name, (uint32_t)strtoul(own + (pattern - base), NULL, 10));
+    bool same = path && sink_is_same(path, file);
+    free(path);
+    return same;
 }
 
 static int begin_picture(struct series *series, uint32_t frame)

@@ -22,6 +22,9 @@ bool series_is_pattern(const char *name);
 /* Returns the name with the number in place of the pattern, to be freed by free(); NULL if there is no memory. */
 char *series_path(const char *name, uint32_t frame);
 
+/* True if the file is that of the film or, with a pattern, of a frame. */
+bool series_has(const char *name, const char *file);
+
 /* Begins a frame; its bands go to series->image. Returns a negative status on failure, with the reason in `why`. */
 int series_begin(struct series *series, uint32_t frame);
 /* Ends a frame. Returns a negative status on failure, with the reason in `why`. */
