@@ -208,13 +208,16 @@ TEST(lights)
 TEST(bright_emission)
 {
     check_reads("material a emission 1\nmaterial b emission 1.5 0.5 0\nmaterial c emission 12 8 7\n"
-                "light at 0 1 0 emission 1.5\nlight at 0 1 0 emission 2\nlight at 0 1 0 emission 16383 1 0.5\n");
+                "material d emission 8192 1 0\nlight at 0 1 0 emission 1.5\nlight at 0 1 0 emission 2\n"
+                "light at 0 1 0 emission 16383 1 0.5\nlight at 0 1 0 emission 16383.9999999\n");
     CHECK(is_rgb(scene->materials[0].emission, 1, 1, 1) && scene->materials[0].emission_bits == 0);
     CHECK(is_rgb(scene->materials[1].emission, 0.75, 0.25, 0) && scene->materials[1].emission_bits == 1);
     CHECK(is_rgb(scene->materials[2].emission, 0.75, 0.5, 0.4375) && scene->materials[2].emission_bits == 4);
     CHECK(is_rgb(scene->lights[0].emission, 1.5, 1.5, 1.5) && scene->lights[0].emission_bits == 0);
     CHECK(is_rgb(scene->lights[1].emission, 1, 1, 1) && scene->lights[1].emission_bits == 1);
+    CHECK(is_rgb(scene->materials[3].emission, 1, 1.0 / 8192, 0) && scene->materials[3].emission_bits == 13);
     CHECK(scene->lights[2].emission_bits == 13 && scene->lights[2].emission.g == TIA_Q30_ONE >> 13);
+    CHECK(scene->lights[3].emission_bits == 13 && scene->lights[3].emission.g == INT32_MAX);
 }
 
 TEST(integrators)

@@ -95,11 +95,14 @@ TEST(looks)
     check_refused("texture t checker repeat 1 2 3",
                   "1:30: '3' is not a field of a checker, expected repeat, scale, offset, depth, even or odd");
     check_refused("texture t checker repeat 2 scale 3",
-                  "1:35: the line ends here, expected either repeat or scale, not both");
+                  "1:1: 'texture' has a repeat and a scale, expected one of them");
     check_refused("texture t noise octaves 9", "1:25: '9' is out of range, expected a whole number from 1 to 8");
     check_refused("texture t noise odd 1",
                   "1:17: 'odd' is not a field of a noise, expected repeat, scale, offset, depth, low, high or octaves");
-    check_refused("texture t checker scale 0", "1:26: the line ends here, expected a scale of 1/1048576 to 1048576");
+    check_refused("texture t checker offset 1e8 0",
+                  "1:1: 'texture' has an offset out of range, expected less than 8388608");
+    check_refused("shadows zfail tessellated -1", "1:27: '-1' is below 0, expected 0 or more");
+    check_refused("texture t checker scale 0", "1:1: 'texture' has a scale out of range, expected 1/1048576 to 1048576");
     check_refused("texture t checker offset 1", "1:27: the line ends here, expected a number below 2147483648");
     check_refused("texture t image", "1:16: the line ends here, expected an image's file");
     check_refused("texture t image \"x", "1:17: '\"x' has no closing quote, expected an image's file");
@@ -155,6 +158,8 @@ TEST(solids)
 TEST(lights)
 {
     check_refused("light", "1:6: the line ends here, expected at");
+    check_refused("material a emission 8192\nmaterial b emission 1 8192.5 1",
+                  "2:23: '8192.5' is out of range, expected a number from 0 to 8192");
     check_refused("light ambient emission 16384",
                   "1:24: '16384' is out of range, expected a number from 0 to below 16384");
     check_refused("light ambient at 0 0 0", "1:15: 'at' is not a field of an ambient light, expected name, appears, "
@@ -225,7 +230,7 @@ TEST(faults_of_the_scene)
     check_refused(M "triangle a 0 0 0 b 1 0 0 c 0 1 0 material m\n\ntriangle a 0 0 0 b 0 0 0 c 1 1 1 material m",
                   "4:1: triangle: must not be on one line");
     check_refused("texture a checker\ntexture t checker repeat 0",
-                  "2:27: the line ends here, expected a repeat of 1/1048576 to 1048576");
+                  "2:1: 'texture' has a repeat out of range, expected 1/1048576 to 1048576");
     check_refused("texture a checker\nmaterial m texture a opacity a",
                   "2:22: material: opacity: must be 0 or the number of an opacity texture");
     check_refused("grid a size 1 1 1\nrow 1\nend\ngrid g size 1 1 1 cell 0\nrow 1\nend",

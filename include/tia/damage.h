@@ -39,7 +39,7 @@ size_t tia_damage_size(unsigned width, unsigned height, unsigned block);
 
 /* Chooses the smallest blocks for which `memory`, aligned for uint16_t, is large enough. Nothing is known of what the
  * display shows. TIA_ERR_ARGUMENT when a size is out of its range; TIA_ERR_MEMORY when `size` is less than the
- * tia_damage_size of blocks of TIA_DAMAGE_BLOCK_MAX pixels. */
+ * tia_damage_size of blocks of any size. */
 int tia_damage_init(struct tia_damage *damage, void *memory, size_t size, unsigned width, unsigned height);
 
 /* Compares the pixels of `tile` with what the display shows, and stores them as shown. Returns true if some must be

@@ -63,7 +63,7 @@ static bool set_field(struct tia_lenticular *lens, struct numbers *n, const char
         return n->has_pitch = number(value, &n->pitch);
     if (is_after(field, "slope=", &value))
         return n->has_slope = number(value, &n->slope) && n->slope != 0;
-    if (is_after(field, "center=", &value))
+    if (is_after(field, "center=", &value) || is_after(field, "centre=", &value))
         return number(value, &n->centre);
     if (is_after(field, "subpixels=", &value))
         return set_subpixels(lens, value);

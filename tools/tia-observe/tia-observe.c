@@ -203,7 +203,7 @@ static int write_film(struct request *r)
                               .rate = {25, 1}};
     struct series series = {.name = r->output, .format = format, .film = film, .why = r->why};
 
-    if (format == IMAGE_UNKNOWN || !image_format_has(format, 0) || !image_format_built(format))
+    if (format == IMAGE_UNKNOWN || format == IMAGE_PART || !image_format_has(format, 0) || !image_format_built(format))
         return refuse(REFUSED, r->output, "unknown picture format (name it .png, .ppm, .bmp, .565 or .y4m)");
     if (r->moves && !image_format_films(format) && !series_is_pattern(r->output))
         return refuse(REFUSED, r->output, "one picture for a film (name it .y4m, or with %04d in its name)");

@@ -93,8 +93,9 @@ static int plan_frames(const struct options *options, struct image_film *film)
     }
     if (options->frame_range) {
         if (options->last_frame >= film->all_frames) {
-            return fail(EXIT_USAGE, "--frame-range %u-%u: the film ends with frame %u", (unsigned)options->first_frame,
-                        (unsigned)options->last_frame, (unsigned)film->all_frames - 1);
+            const char *what = options->light.module_range ? "module" : "frame";
+            return fail(EXIT_USAGE, "--%s-range %u-%u: the last %s is %u", what, (unsigned)options->first_frame,
+                        (unsigned)options->last_frame, what, (unsigned)film->all_frames - 1);
         }
         film->first_frame = options->first_frame;
         film->frames = options->last_frame - options->first_frame + 1;

@@ -17,25 +17,31 @@ int tia_colour(struct tia_text *t, struct tia_rgb *out)
     return tia_text_rgb(t, out, false);
 }
 
-int tia_emission(struct tia_text *t, struct tia_emission *out, int64_t most)
+/* Returns a channel divided by 2^bits, to nearest, at most `most`. */
+static tia_q30 scaled_channel(int64_t channel, unsigned bits, tia_q30 most)
 {
-    int64_t rgb[3] = {0, 0, 0}, half;
-    int status = tia_text_radiance(t, &rgb[0]);
+    int64_t scaled = (channel + ((INT64_C(1) << bits) >> 1)) >> bits;
+
+    return scaled < most ? (tia_q30)scaled : most;
+}
+
+int tia_emission(struct tia_text *t, struct tia_emission *out, tia_q30 most)
+{
+    int64_t rgb[3] = {0, 0, 0}, largest = 0;
+    int status = tia_text_radiance(t, most, &rgb[0]);
 
     rgb[1] = rgb[2] = rgb[0];
     for (int c = 1; c < 3 && !status && (c == 2 || tia_text_has_number(t)); c++)
-        status = tia_text_radiance(t, &rgb[c]);
+        status = tia_text_radiance(t, most, &rgb[c]);
     if (status)
         return status;
-    out->bits = 0;
-    for (;; out->bits++) {
-        half = (INT64_C(1) << out->bits) >> 1;
-        if ((rgb[0] + half) >> out->bits <= most && (rgb[1] + half) >> out->bits <= most &&
-            (rgb[2] + half) >> out->bits <= most)
+    for (int c = 0; c < 3; c++)
+        largest = rgb[c] > largest ? rgb[c] : largest;
+    for (out->bits = 0; out->bits < TIA_EMISSION_BITS_MAX; out->bits++)
+        if ((largest + ((INT64_C(1) << out->bits) >> 1)) >> out->bits <= most)
             break;
-    }
-    out->rgb = (struct tia_rgb){(tia_q30)((rgb[0] + half) >> out->bits), (tia_q30)((rgb[1] + half) >> out->bits),
-                                (tia_q30)((rgb[2] + half) >> out->bits)};
+    out->rgb = (struct tia_rgb){scaled_channel(rgb[0], out->bits, most), scaled_channel(rgb[1], out->bits, most),
+                                scaled_channel(rgb[2], out->bits, most)};
     return TIA_OK;
 }
 

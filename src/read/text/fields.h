@@ -14,7 +14,7 @@ enum tia_field_kind {
     TIA_SPREAD,     /* `count` tia_q16; a single number sets all of them */
     TIA_LONGS,      /* `count` int64_t, Q31.32; if `max` is 1, a single number sets all of them */
     TIA_COLOUR,     /* a tia_rgb: three numbers in 0..1, or one for a grey */
-    TIA_EMISSION,   /* a struct tia_emission: below 16384 */
+    TIA_EMISSION,   /* a struct tia_emission: below 16384, or to 8192, see `max` */
     TIA_FADING,     /* a struct tia_fading: three numbers */
     TIA_DIRECTION,  /* a tia_dir3: any vector but 0, normalised */
     TIA_WHOLE,      /* `count` uint16_t in 1..max */
@@ -63,7 +63,7 @@ struct tia_form {
 int tia_form(struct tia_text *t, const struct tia_form *forms, unsigned count, const struct tia_form **form);
 
 /* Reads an emission; `most` is the upper limit of out->rgb's channels, Q2.30. */
-int tia_emission(struct tia_text *t, struct tia_emission *out, int64_t most);
+int tia_emission(struct tia_text *t, struct tia_emission *out, tia_q30 most);
 /* Reads the three numbers of an attenuation. */
 int tia_fading(struct tia_text *t, struct tia_fading *out);
 /* Reads a colour: three numbers in 0..1, or one for a grey. */

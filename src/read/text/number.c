@@ -261,8 +261,10 @@ int tia_text_bright(struct tia_text *t, tia_q30 *out)
     return read_number32(t, out, 30, 0, INT32_MAX, "a number from 0 to below 2");
 }
 
-int tia_text_radiance(struct tia_text *t, int64_t *out)
+int tia_text_radiance(struct tia_text *t, tia_q30 most, int64_t *out)
 {
+    if (most == TIA_Q30_ONE)
+        return read_number(t, out, 30, 0, INT64_C(1) << 43, "a number from 0 to 8192");
     return read_number(t, out, 30, 0, (INT64_C(1) << 44) - 1, "a number from 0 to below 16384");
 }
 

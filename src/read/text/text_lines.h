@@ -122,8 +122,9 @@ int tia_text_q32(struct tia_text *t, int64_t *out);
 int tia_text_unit(struct tia_text *t, tia_q30 *out);
 /* Reads a channel of a light's colour: 0 to below 2. */
 int tia_text_bright(struct tia_text *t, tia_q30 *out);
-/* Reads a channel of an emission, with 30 fractional bits: 0 to below 16384. */
-int tia_text_radiance(struct tia_text *t, int64_t *out);
+/* Reads a channel of an emission, with 30 fractional bits: 2^13 times a number to `most`, which is 1 or, for a channel
+ * below 2, INT32_MAX. */
+int tia_text_radiance(struct tia_text *t, tia_q30 most, int64_t *out);
 /* Reads an integer in min..max. */
 int tia_text_integer(struct tia_text *t, int64_t *out, int64_t min, int64_t max);
 

@@ -193,25 +193,24 @@ static bool set_numbers(const int64_t numbers[2], tia_q16 out[2], int8_t *bits)
 #define REPEAT_MOST (INT64_C(1) << 52)
 
 /* Sets the texture's repeat, from `repeat` or as 1/`scale`, and its offset. */
-static int set_pattern(struct tia_text *t, struct texture_line *line, uint32_t given)
+static int set_pattern(struct tia_parse *job, struct texture_line *line, uint32_t given)
 {
     bool scaled = has(given, SCALE_FIELD);
     struct tia_texture *texture = &line->texture;
-    struct tia_word end;
 
-    (void)tia_text_peek(t, &end);
     if (scaled && has(given, REPEAT_FIELD))
-        return tia_text_error(t, &end, "", "either repeat or scale, not both");
+        return tia_text_error(&job->text, &job->first, "has a repeat and a scale", "one of them");
     for (int i = 0; i < 2; i++) {
         int64_t *number = scaled ? &line->scale[i] : &line->repeat[i];
         if (*number < REPEAT_LEAST || *number > REPEAT_MOST)
-            return tia_text_error(t, &end, "",
-                                  scaled ? "a scale of 1/1048576 to 1048576" : "a repeat of 1/1048576 to 1048576");
+            return tia_text_error(&job->text, &job->first,
+                                  scaled ? "has a scale out of range" : "has a repeat out of range",
+                                  "1/1048576 to 1048576");
         line->repeat[i] = scaled ? (int64_t)inverse((uint64_t)*number) : *number;
     }
     (void)set_numbers(line->repeat, texture->repeat, &texture->repeat_bits);
     if (!set_numbers(line->offset, texture->offset, &texture->offset_bits))
-        return tia_text_error(t, &end, "", "an offset below 8388608");
+        return tia_text_error(&job->text, &job->first, "has an offset out of range", "less than 8388608");
     return TIA_OK;
 }
 
@@ -257,7 +256,7 @@ static int read_image(struct tia_parse *job, struct texture_line *line, enum tia
     line->texture.kind = kind;
     if (!status)
         status = tia_fields(&job->text, "an image", image_fields, TIA_COUNT_OF(image_fields), line, &given);
-    status = status ? status : set_pattern(&job->text, line, given);
+    status = status ? status : set_pattern(job, line, given);
     return status ? status : fetch_image(job, &file, &line->texture);
 }
 
@@ -269,7 +268,7 @@ static int read_checker(struct tia_parse *job, struct texture_line *line)
 
     line->texture.cells[0] = white;
     int status = tia_fields(&job->text, "a checker", checker_fields, TIA_COUNT_OF(checker_fields), line, &given);
-    return status ? status : set_pattern(&job->text, line, given);
+    return status ? status : set_pattern(job, line, given);
 }
 
 static int read_noise(struct tia_parse *job, struct texture_line *line)
@@ -281,7 +280,7 @@ static int read_noise(struct tia_parse *job, struct texture_line *line)
     line->octaves = OCTAVES_DEFAULT;
     int status = tia_fields(&job->text, "a noise", noise_fields, TIA_COUNT_OF(noise_fields), line, &given);
     line->texture.octaves = (uint8_t)line->octaves;
-    return status ? status : set_pattern(&job->text, line, given);
+    return status ? status : set_pattern(job, line, given);
 }
 
 int tia_line_texture(struct tia_parse *job)

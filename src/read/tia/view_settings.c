@@ -199,6 +199,15 @@ static int map_filter(struct tia_text *t, struct tia_shadow_map *map)
     return status;
 }
 
+static int facet_length(struct tia_text *t, tia_q16 *length)
+{
+    struct tia_word word;
+
+    (void)tia_text_peek(t, &word);
+    int status = tia_text_length(t, length);
+    return !status && *length < 0 ? tia_text_error(t, &word, "is below 0", "0 or more") : status;
+}
+
 /* Reads a field of the statement `shadows`; `seen` has a bit for each field that was read. */
 static int shadow_field(struct tia_text *t, const struct tia_word *word, struct tia_scene *scene, unsigned *seen)
 {
@@ -215,7 +224,7 @@ static int shadow_field(struct tia_text *t, const struct tia_word *word, struct 
         return tia_text_error(t, word, "is given twice", "once");
     *seen |= 1U << i;
     if (i == 0)
-        return tia_text_length(t, &scene->tessellated);
+        return facet_length(t, &scene->tessellated);
     return i == 1   ? map_size(t, &scene->shadow_map)
            : i == 2 ? map_bias(t, &scene->shadow_map)
                     : map_filter(t, &scene->shadow_map);

@@ -97,6 +97,6 @@ int stored_open_picture(struct stored *s, enum image_format format, uint64_t len
     case IMAGE_565:
         return take(s, 0, (uint64_t)s->film.width * sizeof(tia_rgb565), length);
     default:
-        return stored_failed(s, "rows of such files cannot be read (--record verifies them)");
+        return stored_failed(s, "such files are not verified (a .pfm has the same numbers)");
     }
 }

@@ -42,6 +42,8 @@ static bool next(struct parser *p)
         return refuse(p, "the record was cut");
     if (length > LINE || memchr(p->text, '\0', length))
         return refuse(p, "not a line of a record");
+    if (length > 0 && p->text[length - 1] == '\r')
+        return refuse(p, "the line ends with CR and LF, those of a record with LF");
     memcpy(p->line, p->text, length);
     p->line[length] = '\0';
     p->begin = p->text;
