@@ -405,7 +405,7 @@ LONG  := $(addprefix tests/slow/,sanitised arch vm build-matrix accuracy)
 QUICK := $(sort $(wildcard tests/quick/*)) $(filter-out $(BUILD)/tests/test_rays_accuracy,$(TESTS))
 SLOW  := $(LONG) $(filter-out $(LONG),$(sort $(wildcard tests/slow/*)))
 # Left out by check-quick: they take two seconds or more.
-LONGER := $(addprefix tests/quick/,background benchmark compare convert denoise editors exact eye far-lights headers mirrors moves osmesa palettes \
+LONGER := $(addprefix tests/quick/,background benchmark compare convert denoise editors exact eye far-lights headers lint mirrors moves osmesa palettes \
   resume shadows telltales words) \
   $(addprefix $(BUILD)/tests/test_,bounds compiled frames gl_picture gl_raster mirrors osmesa ray_bounds shadow_curved shapes shapes_chk shapes_f64 \
   simd_rays simd_shadows simd_spans simd_stack span_error span_exact)

@@ -179,7 +179,7 @@ struct subject {
     struct shape shape;
     real extent; /* the shape's size plus its distance from the origin: the scale of rounding errors */
     bool is_infinite;
-    bool closes; /* v = 0 and v = 1 are the same */
+    bool closes;      /* v = 0 and v = 1 are the same */
     const void *what; /* the shape's public struct */
     int (*candidates)(const struct subject *s, struct vec o, struct vec d,
                       struct candidate found[]);                               /* the candidates; some lie behind o */
@@ -213,7 +213,8 @@ static inline void check_surface(const struct subject *s, struct num_point point
     s->shape.kind->uv(&s->shape, point, element, got);
     s->uv(s, p, element, uv);
     error = error * 2 + (real)0x1p-44 + 4 * (real)EPSILON * (size(uv[0]) + size(uv[1]));
-    CHECK_MSG(wrapped(real_x(got[0]) - uv[0]) <= error && (s->closes ? wrapped(real_x(got[1]) - uv[1]) : size(real_x(got[1]) - uv[1])) <= error,
+    CHECK_MSG(wrapped(real_x(got[0]) - uv[0]) <= error &&
+                  (s->closes ? wrapped(real_x(got[1]) - uv[1]) : size(real_x(got[1]) - uv[1])) <= error,
               "uv of element %u: %Lg %Lg, not %Lg %Lg", (unsigned)element, (long double)real_x(got[0]),
               (long double)real_x(got[1]), (long double)uv[0], (long double)uv[1]);
 }

@@ -158,8 +158,8 @@ TEST(a_ray_that_touches_a_ball_meets_it)
     }
 }
 
-/* Along v = (3, 3, -4), the pixel (3, 0) of 4x4, with the centre s v + p (1, -1, 0), D is 34 (r^2 - 2 p^2), of which b^2 =
- * (34 s)^2 has more than 64 bits: r = 1393 and p = 985 give -34, r = 577 and p = 408 give 34. */
+/* Along v = (3, 3, -4), the pixel (3, 0) of 4x4, with the centre s v + p (1, -1, 0), D is 34 (r^2 - 2 p^2), of which
+ * b^2 = (34 s)^2 has more than 64 bits: r = 1393 and p = 985 give -34, r = 577 and p = 408 give 34. */
 TEST(a_ray_that_almost_touches_a_ball_is_decided)
 {
     const int32_t s = 366000001;

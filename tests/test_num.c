@@ -46,6 +46,12 @@ TEST(shifts_are_rounded_to_nearest)
         x = random_bits() & 1 ? -x : x;
         CHECK(nearest(num_shift(x, -(int)s), x, s));
     }
+    CHECK_EQ(num_scale_within(NUM_HALF + 1, -1), (1 << 30) + 1);
+    CHECK_EQ(num_scale_within((INT64_C(1) << 33) - 2, -1), UINT32_MAX);
+    CHECK_EQ(num_scale_within(INT64_C(1) << 33, -1), UINT32_MAX);
+    CHECK_EQ(num_scale_within(INT64_C(5) << 32, -2), UINT32_MAX);
+    CHECK_EQ(num_scale_within(3, 31), UINT32_MAX);
+    CHECK_EQ(num_scale_within(INT64_MAX, -64), 0);
     CHECK_EQ(num_shift(-3, 5), -96);
     CHECK_EQ(num_shift(3, -1), 2);
     CHECK_EQ(num_shift(-3, -1), -1);

@@ -18,18 +18,18 @@ TEST(floats)
         int64_t want;
         enum tia_decimal result;
     } cases[] = {
-        {0x3f800000, 16, 65536, TIA_DECIMAL_FINE},                        /* 1 */
-        {0xbf800000, 0, -1, TIA_DECIMAL_FINE},                            /* -1 */
-        {0x37000000, 16, 1, TIA_DECIMAL_FINE},                            /* 2^-17: half of a unit, away from 0 */
-        {0xb7000000, 16, -1, TIA_DECIMAL_FINE},                           /* -2^-17 */
-        {0x36ffffff, 16, 0, TIA_DECIMAL_FINE},                            /* just below */
-        {0x00000001, 32, 0, TIA_DECIMAL_FINE},                            /* 2^-149 */
-        {0x80000000, 32, 0, TIA_DECIMAL_FINE},                            /* -0 */
-        {0x4effffff, 32, INT64_C(2147483520) << 32, TIA_DECIMAL_FINE},    /* the largest */
-        {0x4f000000, 16, 0, TIA_DECIMAL_RANGE},                           /* 2^31 */
-        {0xff800000, 16, 0, TIA_DECIMAL_RANGE},                           /* -infinity */
-        {0x7fc00000, 16, 0, TIA_DECIMAL_NONE},                            /* NaN */
-        {0x3dcccccd, 32, INT64_C(429496736), TIA_DECIMAL_FINE},           /* 13421773/2^27, the float next to 0.1 */
+        {0x3f800000, 16, 65536, TIA_DECIMAL_FINE},                     /* 1 */
+        {0xbf800000, 0, -1, TIA_DECIMAL_FINE},                         /* -1 */
+        {0x37000000, 16, 1, TIA_DECIMAL_FINE},                         /* 2^-17: half of a unit, away from 0 */
+        {0xb7000000, 16, -1, TIA_DECIMAL_FINE},                        /* -2^-17 */
+        {0x36ffffff, 16, 0, TIA_DECIMAL_FINE},                         /* just below */
+        {0x00000001, 32, 0, TIA_DECIMAL_FINE},                         /* 2^-149 */
+        {0x80000000, 32, 0, TIA_DECIMAL_FINE},                         /* -0 */
+        {0x4effffff, 32, INT64_C(2147483520) << 32, TIA_DECIMAL_FINE}, /* the largest */
+        {0x4f000000, 16, 0, TIA_DECIMAL_RANGE},                        /* 2^31 */
+        {0xff800000, 16, 0, TIA_DECIMAL_RANGE},                        /* -infinity */
+        {0x7fc00000, 16, 0, TIA_DECIMAL_NONE},                         /* NaN */
+        {0x3dcccccd, 32, INT64_C(429496736), TIA_DECIMAL_FINE},        /* 13421773/2^27, the float next to 0.1 */
     };
 
     for (unsigned i = 0; i < sizeof cases / sizeof *cases; i++) {
@@ -69,7 +69,7 @@ static const char text_stl[] = "solid four\n"
                                "facet\nvertex 2 0 0.5\nvertex 0 1.25 0\nvertex 0 0 -3\nendloop\nendsolid four\n";
 
 #define PLY_HEAD                                                                                                       \
-    "element vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 4\n"                        \
+    "element vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 4\n"                         \
     "property list uchar uint vertex_indices\nend_header\n"
 
 static struct bytes binary_ply(bool big)
@@ -90,7 +90,8 @@ static struct bytes binary_ply(bool big)
 
 static const char text_ply[] = "ply\nformat ascii 1.0\ncomment in \\\n" PLY_HEAD
                                "0 0 0\n2 0 .5\n0 1.25 0\n0 0 -3\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
-static const char text_off[] = "OFF # four\n4 4 6\n0 0 0\n2 0 .5\n0 1.25 0\n0 0 -3\n3 0 2 1 255 0 0\n3 0 1 3\n3  0 3 2\n3 1 2 3\n";
+static const char text_off[] =
+    "OFF # four\n4 4 6\n0 0 0\n2 0 .5\n0 1.25 0\n0 0 -3\n3 0 2 1 255 0 0\n3 0 1 3\n3  0 3 2\n3 1 2 3\n";
 static const char text_obj[] = "v 0 0 0\nv 2 0 .5\nv 0 1.25 0\nv 0 0 -3\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
 
 /* Checks the scene of the four faces: the positions of all corners, the material, and the camera of the .obj file. */
@@ -140,12 +141,13 @@ TEST(encodings)
     check_four(&r, &camera);
 }
 
-/* A facet far from the origin: the middle of its bounds, (-9002, -8001, -7000.25), becomes the origin, and half of their
- * largest side, 2, becomes 8. */
+/* A facet far from the origin: the middle of its bounds, (-9002, -8001, -7000.25), becomes the origin, and half of
+ * their largest side, 2, becomes 8. */
 TEST(far_away)
 {
     static const float facet[9] = {-9000, -8000, -7000, -9004, -8000, -7000, -9000, -8002, -7000.5F};
-    static const struct tia_vec3 want[3] = {{8 * ONE, 4 * ONE, ONE}, {-8 * ONE, 4 * ONE, ONE}, {8 * ONE, -4 * ONE, -ONE}};
+    static const struct tia_vec3 want[3] = {
+        {8 * ONE, 4 * ONE, ONE}, {-8 * ONE, 4 * ONE, ONE}, {8 * ONE, -4 * ONE, -ONE}};
     struct bytes b = {.length = 80};
     struct reading r;
 
@@ -197,8 +199,9 @@ TEST(attributes)
     CHECK(r.scene.materials[0].colour.g == 51 * 65536 / 255 << 14);
     CHECK(r.scene.materials[0].colour.b == 20 * 65536 / 255 << 14);
     read_end(&r);
-    read_string(&r, TIA_FORMAT_OFF, "STCNOFF\n3 1 0\n0 0 0 0 0 5 1 0 0 1 0 0\n1 0 0 0 3 4 1 0 0 1 1 -.5\n"
-                                    "0 1 0 0 0 -1 1 0 0 1 .25 1\n3 0 1 2\n");
+    read_string(&r, TIA_FORMAT_OFF,
+                "STCNOFF\n3 1 0\n0 0 0 0 0 5 1 0 0 1 0 0\n1 0 0 0 3 4 1 0 0 1 1 -.5\n"
+                "0 1 0 0 0 -1 1 0 0 1 .25 1\n3 0 1 2\n");
     CHECK_EQ(r.status, TIA_OK);
     m = r.scene.meshes;
     CHECK(m->normals[1].y == TIA_Q30(0.6) && m->uvs[1].v == -ONE / 2 && m->uvs[2].u == ONE / 4);
@@ -244,8 +247,8 @@ TEST(polygons)
         const struct tia_vec3 *v[3];
         for (int k = 0; k < 3; k++)
             v[k] = &r.scene.meshes[0].vertices[r.scene.meshes[0].faces[i].corner[k].vertex];
-        int64_t twice = (int64_t)(v[1]->x - v[0]->x) * (v[2]->y - v[0]->y) -
-                        (int64_t)(v[2]->x - v[0]->x) * (v[1]->y - v[0]->y);
+        int64_t twice =
+            (int64_t)(v[1]->x - v[0]->x) * (v[2]->y - v[0]->y) - (int64_t)(v[2]->x - v[0]->x) * (v[1]->y - v[0]->y);
         CHECK(twice > 0);
         area += twice;
     }

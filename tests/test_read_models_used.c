@@ -11,8 +11,10 @@ TEST(mistakes)
         enum tia_format format;
         const char *text, *want;
     } cases[] = {
-        {TIA_FORMAT_STL, "solid x\nfacet\nvertex 0 0 nan\n", "3:12: 'nan' is not a number, expected a number below 2147483648"},
-        {TIA_FORMAT_STL, "solid x\nvertex 0 0 3e9\n", "2:12: '3e9' is out of range, expected a number below 2147483648"},
+        {TIA_FORMAT_STL, "solid x\nfacet\nvertex 0 0 nan\n",
+         "3:12: 'nan' is not a number, expected a number below 2147483648"},
+        {TIA_FORMAT_STL, "solid x\nvertex 0 0 3e9\n",
+         "2:12: '3e9' is out of range, expected a number below 2147483648"},
         {TIA_FORMAT_STL, "solid x\n", "0:0: the model has no faces, expected some facets"},
         {TIA_FORMAT_STL, "stolid", "0:0: the file is too short, expected an STL file"},
         {TIA_FORMAT_PLY, "plot\n", "0:0: the file does not begin with ply, expected a PLY file"},
@@ -25,7 +27,8 @@ TEST(mistakes)
          "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\nend_header\n"
          "0 0 0\n1 1\n",
          "0:0: vertex 2: the file ends here, expected more numbers"},
-        {TIA_FORMAT_OFF, "4OFF\n", "1:1: '4OFF' is not a form that can be read, expected OFF, COFF, NOFF, CNOFF or STOFF"},
+        {TIA_FORMAT_OFF, "4OFF\n",
+         "1:1: '4OFF' is not a form that can be read, expected OFF, COFF, NOFF, CNOFF or STOFF"},
         {TIA_FORMAT_OFF, "C", "1:1: 'C' is not a form that can be read, expected OFF, COFF, NOFF, CNOFF or STOFF"},
         {TIA_FORMAT_OFF, "OFF BINARY\n", "1:5: 'BINARY' is not a form that can be read, expected text"},
         {TIA_FORMAT_OFF, "OFF\n2 1 0\n0 0 0\n", "4:1: the file ends here, expected a vertex"},
@@ -74,7 +77,8 @@ TEST(tolerated)
 {
     static const char text[] = "OFF\n3 3 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n2 0 1\n3 0 1 2\n";
     struct tia_read_warning warnings[TIA_WARNINGS];
-    struct reading r = {.reader = {.format = TIA_FORMAT_OFF, .text = text, .length = sizeof text - 1, .warnings = warnings}};
+    struct reading r = {
+        .reader = {.format = TIA_FORMAT_OFF, .text = text, .length = sizeof text - 1, .warnings = warnings}};
 
     read_begin(&r);
     CHECK(!r.status && r.scene.meshes[0].face_count == 1 && warnings[TIA_WARN_FACE].count == 2);
@@ -137,7 +141,8 @@ TEST(copies_among_many)
 
 static int fetch(void *ctx, const char *name, const char **text, size_t *length, const char **why)
 {
-    static const char two[] = "mtllib two.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 9\nusemtl red\nf 1 2 3\nusemtl blue\nf 1 2 4\n";
+    static const char two[] =
+        "mtllib two.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 9\nusemtl red\nf 1 2 3\nusemtl blue\nf 1 2 4\n";
     static const char library[] = "newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n";
     static struct bytes stl;
 
@@ -158,8 +163,7 @@ static int fetch(void *ctx, const char *name, const char **text, size_t *length,
 
 static void read_scene(struct reading *r, const char *text)
 {
-    *r = (struct reading){
-        .reader = {.format = TIA_FORMAT_TIA, .text = text, .length = strlen(text), .library = fetch}};
+    *r = (struct reading){.reader = {.format = TIA_FORMAT_TIA, .text = text, .length = strlen(text), .library = fetch}};
     read_begin(r);
 }
 

@@ -102,7 +102,8 @@ TEST(looks)
     check_refused("texture t checker offset 1e8 0",
                   "1:1: 'texture' has an offset out of range, expected less than 8388608");
     check_refused("shadows zfail tessellated -1", "1:27: '-1' is below 0, expected 0 or more");
-    check_refused("texture t checker scale 0", "1:1: 'texture' has a scale out of range, expected 1/1048576 to 1048576");
+    check_refused("texture t checker scale 0",
+                  "1:1: 'texture' has a scale out of range, expected 1/1048576 to 1048576");
     check_refused("texture t checker offset 1", "1:27: the line ends here, expected a number below 2147483648");
     check_refused("texture t image", "1:16: the line ends here, expected an image's file");
     check_refused("texture t image \"x", "1:17: '\"x' has no closing quote, expected an image's file");

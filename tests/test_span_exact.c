@@ -188,8 +188,8 @@ TEST(grey_lights)
     }
 }
 
-/* A coloured light of more than 1 right before a white ball, and a dim one: the sum of both is cut to 1 before and after the
- * second. */
+/* A coloured light of more than 1 right before a white ball, and a dim one: the sum of both is cut to 1 before and
+ * after the second. */
 TEST(a_bright_light_and_a_dim_one)
 {
     start(40);

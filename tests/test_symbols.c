@@ -24,11 +24,9 @@ TEST(ways_by_name)
                  {"kitty", true, PICTURES_KITTY}};
     struct way way;
 
-    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
-        CHECK(ways_find(names[i].name, &way));
-        CHECK(way.chosen == names[i].chosen && way.pictures == names[i].pictures);
-        CHECK(strstr(WAYS_NAMES, names[i].name));
-    }
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
+        CHECK(ways_find(names[i].name, &way) && way.chosen == names[i].chosen && way.pictures == names[i].pictures &&
+              strstr(WAYS_NAMES, names[i].name));
     CHECK(!ways_find(NULL, &way) && !ways_find("", &way) && !ways_find("six", &way) && !ways_find("sixels", &way));
 }
 
@@ -179,8 +177,8 @@ static void check_patches(bool direct)
             int inked = is_inked(c.code, x % SYMBOLS_WIDTH * 2, y % SYMBOLS_HEIGHT);
             uint32_t got = inked ? c.fore : c.back, want = code_of(pixels[y * WIDTH + x]);
             bool right = direct ? got == want : got >= 16 && got < 256;
-            CHECK_MSG(inked >= 0 && right, "(%u, %u): U+%04x %06x, not %06x", x, y, (unsigned)c.code,
-                      (unsigned)got, (unsigned)want);
+            CHECK_MSG(inked >= 0 && right, "(%u, %u): U+%04x %06x, not %06x", x, y, (unsigned)c.code, (unsigned)got,
+                      (unsigned)want);
         }
 }
 
@@ -376,7 +374,10 @@ TEST(keys_while_it_is_asked)
 }
 #else
 #define NOT_BUILT(name)                                                                                                \
-    TEST(name) { SKIP("built without libchafa (libchafa-dev)"); }
+    TEST(name)                                                                                                         \
+    {                                                                                                                  \
+        SKIP("built without libchafa (libchafa-dev)");                                                                 \
+    }
 NOT_BUILT(two_colours_in_a_cell)
 NOT_BUILT(what_did_not_change_is_not_sent)
 NOT_BUILT(any_picture)

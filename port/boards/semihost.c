@@ -12,10 +12,11 @@ static void semihost(uint32_t operation, const void *argument)
     register const void *a1 __asm__("a1") = argument;
     /* The debugger recognises the trap by the shifts around it. All three instructions must be uncompressed, in one
      * page. */
-    __asm__ volatile(".option push\n .option norvc\n .balign 16\n slli x0, x0, 0x1f\n ebreak\n srai x0, x0, 7\n .option pop"
-                     : "+r"(a0)
-                     : "r"(a1)
-                     : "memory");
+    __asm__ volatile(
+        ".option push\n .option norvc\n .balign 16\n slli x0, x0, 0x1f\n ebreak\n srai x0, x0, 7\n .option pop"
+        : "+r"(a0)
+        : "r"(a1)
+        : "memory");
 #else
     register uint32_t r0 __asm__("r0") = operation;
     register const void *r1 __asm__("r1") = argument;

@@ -195,7 +195,7 @@ static inline num_u num_scale(num_wide x, int s)
                                                  : (num_u)num_shift(x, s);
 }
 
-/* Returns x * 2^s, x >= 0, as a mantissa, at most UINT32_MAX. */
+/* Returns x * 2^s, x >= 0, as a mantissa; UINT32_MAX from 2^32 on. It must not be rounded up to 2^32. */
 static inline num_u num_scale_within(num_wide x, int s)
 {
     NUM_CHECK(x >= 0);

@@ -4,10 +4,10 @@
 #include <tia/debug.h>
 
 #include "common/image/part.h"
+#include "common/image/parts.h"
 #include "common/image/sums.h"
 #include "files.h"
 #include "tia-join/join_sums.h"
-#include "common/image/parts.h"
 
 enum { FILES = 3, SIDE = 8, FRAMES = 4 };
 enum kind { RAW, PART, SUMS, PLANES };

@@ -35,8 +35,7 @@ static struct colour surfaces(const struct tia_scene *scene, uint32_t object, st
 /* True if an object's surfaces may filter light differently: for a grid, and for a solid with an opacity. */
 static bool is_mixed(const struct tia_scene *scene, uint32_t object)
 {
-    const struct tia_shape *s =
-        object < scene->sphere_count ? NULL : &scene->shapes[object - scene->sphere_count];
+    const struct tia_shape *s = object < scene->sphere_count ? NULL : &scene->shapes[object - scene->sphere_count];
     bool opacity = false;
 
     for (uint32_t i = 0; s && s->kind == TIA_SOLID && i < scene->solids[s->solid].member_count; i++)

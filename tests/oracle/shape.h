@@ -11,7 +11,7 @@ struct hit {
     struct oracle_vec smooth; /* the interpolated normal, or the geometric one */
     double u, v;
     struct oracle_vec own; /* the point in the shape's axes, relative to the centre of a sphere; set by object_hit */
-    uint32_t part; /* part of the shape, as in tia_debug.path_hash */
+    uint32_t part;         /* part of the shape, as in tia_debug.path_hash */
     /* index into the scene's materials; in a shape's own hit, an offset from the shape's material */
     uint32_t material;
 };

@@ -148,8 +148,8 @@ void sink_discard(struct sink *sink)
     sink->path = NULL;
 }
 
-/* Returns the path of the file that a sink of this name replaces, without symbolic links, to be freed by free(). NULL if
- * its directory is not there, or memory is short. */
+/* Returns the path of the file that a sink of this name replaces, without symbolic links, to be freed by free(). NULL
+ * if its directory is not there, or memory is short. */
 static char *replaced_by(const char *name)
 {
     char *target = temporary_target(name), *full = NULL;

@@ -120,12 +120,10 @@ static void write_scene(struct unit *unit)
                                       {"spheres", "sphere_count", s->sphere_count},
                                       {"lights", "light_count", s->light_count},
                                       {"bindings", "binding_count", s->binding_count}};
-    const struct reference more[] = {{"shapes", "shape_count", s->shape_count},
-                                     {"transforms", "transform_count", s->transform_count},
-                                     {"textures", "texture_count", s->texture_count},
-                                     {"meshes", "mesh_count", s->mesh_count},
-                                     {"grids", "grid_count", s->grid_count},
-                                     {"solids", "solid_count", s->solid_count}};
+    const struct reference more[] = {
+        {"shapes", "shape_count", s->shape_count},       {"transforms", "transform_count", s->transform_count},
+        {"textures", "texture_count", s->texture_count}, {"meshes", "mesh_count", s->mesh_count},
+        {"grids", "grid_count", s->grid_count},          {"solids", "solid_count", s->solid_count}};
     const struct reference tracks = {"tracks", "track_count", s->track_count};
 
     text_print(&unit->text, "const struct tia_scene %s = {\n", unit->symbol);

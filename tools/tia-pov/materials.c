@@ -103,9 +103,8 @@ static void note_material(struct pov *pov, uint32_t index, const struct tia_mate
         pov_note(pov, "material %u: its total internal reflection is not tinted here", index);
     if (m->bump != 0)
         pov_note(pov, "material %u: %s", index,
-                 pov->scene->textures[m->bump - 1].kind == TIA_NOISE
-                     ? "its bumps are POV-Ray's here, at other places"
-                     : "smooth here: only bumps of noise are written");
+                 pov->scene->textures[m->bump - 1].kind == TIA_NOISE ? "its bumps are POV-Ray's here, at other places"
+                                                                     : "smooth here: only bumps of noise are written");
     if (m->opacity != 0 && !pov_has_opacity(pov, index))
         pov_note(pov, "material %u: opaque here: a picture needs a file beside the scene's", index);
     if (m->opacity != 0 && glass && m->index != TIA_Q16_ONE)

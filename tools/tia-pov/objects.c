@@ -100,7 +100,8 @@ static void note_shadow(struct pov *pov, uint32_t index, const struct tia_shape 
 {
     struct tia_shape parts[3];
 
-    if (s->kind == TIA_GRID || s->kind == TIA_SOLID || !pov_has_shadow(pov, s->material) || pov->scene->materials[s->material].opacity != 0)
+    if (s->kind == TIA_GRID || s->kind == TIA_SOLID || !pov_has_shadow(pov, s->material) ||
+        pov->scene->materials[s->material].opacity != 0)
         return;
     if (s->kind == TIA_MESH && pov->scene->meshes[s->mesh].groups)
         pov_note(pov, "shape %u: its groups of faces filter shadow rays face by face here", index);

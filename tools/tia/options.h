@@ -76,8 +76,8 @@ struct options {
     void *opens_ctx;
     char *given; /* the options as given, "name=value" or "name", each with its NUL, see arguments_parse; NULL: none */
     size_t given_bytes;
-    const char *write;            /* --write: path of the scene; NULL: none */
-    struct write_names names;     /* for --write */
+    const char *write;        /* --write: path of the scene; NULL: none */
+    struct write_names names; /* for --write */
     enum image_format format;
     uint16_t width, height; /* 0: not given */
     uint32_t thumbnail;     /* size of a thumbnail; 0: not given */

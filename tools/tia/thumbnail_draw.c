@@ -1,4 +1,4 @@
-/* thumbnail_draw.c - the process that draws a thumbnail of 1/64 of its pixels, then one sample a pixel, then several. */
+/* thumbnail_draw.c - a process that draws a thumbnail: 1/64 of its pixels, one sample a pixel, then several. */
 #include <stdlib.h>
 #include <string.h>
 #include <tia/tone.h>

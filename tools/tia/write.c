@@ -1,7 +1,7 @@
 /* write.c - a model's scene as text: the camera, lights and materials first, then the meshes.
  *
- * Lengths are those that are stored, so that none is rounded again: a model that was moved to fit, see tia/read.h, stays
- * moved. Images become files beside the scene. */
+ * Lengths are those that are stored, so that none is rounded again: a model that was moved to fit, see tia/read.h,
+ * stays moved. Images become files beside the scene. */
 #include "write.h"
 
 #include <math.h>
@@ -172,7 +172,8 @@ static void write_light(struct writing *w, const struct tia_light *l)
     if (tia_light_has(l->kind, TIA_LIGHT_SIDES))
         write_numbers(&w->text, " sides", &l->side[0].x, 6, 16);
     if (l->radius)
-        write_numbers(&w->text, tia_light_has(l->kind, TIA_LIGHT_EVERYWHERE) ? " occlusion" : " radius", &l->radius, 1, 16);
+        write_numbers(&w->text, tia_light_has(l->kind, TIA_LIGHT_EVERYWHERE) ? " occlusion" : " radius", &l->radius, 1,
+                      16);
     if (tia_light_has(l->kind, TIA_LIGHT_CONE)) {
         write_numbers(&w->text, " inner", &l->inner, 1, 16);
         write_numbers(&w->text, " outer", &l->outer, 1, 16);

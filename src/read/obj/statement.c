@@ -1,4 +1,5 @@
-/* statement.c - one line of an .obj file: vertices, texture coordinates and normals here, the others in files of their own. */
+/* statement.c - one line of an .obj file: vertices, texture coordinates and normals here, the others in files of their
+ * own. */
 #include "obj.h"
 
 /* Reads a vertex; a weight or a colour behind it is skipped. */
@@ -70,8 +71,9 @@ static const struct {
     const char *name;
     int (*read)(struct obj *);
 } statements[] = {
-    {"v", read_v},              {"f", tia_obj_f},           {"vn", read_vn},  {"vt", read_uv},
-    {"usemtl", tia_obj_usemtl}, {"mtllib", tia_obj_mtllib}, {"o", tia_obj_o}, {"g", tia_obj_g},
+    {"v", read_v},    {"f", tia_obj_f},           {"vn", read_vn},
+    {"vt", read_uv},  {"usemtl", tia_obj_usemtl}, {"mtllib", tia_obj_mtllib},
+    {"o", tia_obj_o}, {"g", tia_obj_g},
 };
 
 static const char *const skipped[] = {"s",        "l",          "p",         "mg",     "lod",    "bevel", "c_interp",

@@ -202,8 +202,7 @@ static int read_once(struct tia_plain *p, void *ctx)
     return status;
 }
 
-int tia_read_off(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena,
-                 struct tia_model_use *use)
+int tia_read_off(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena, struct tia_model_use *use)
 {
     struct tia_plain p = tia_plain_begin(reader, scene, use, "some polygons");
 

@@ -2,8 +2,8 @@
  *
  *     P5 WIDTH HEIGHT MAXIMUM     then the levels, row by row from the top
  *
- * Pixel (column, row) is the vertex (column/(width - 1), level/maximum, row/(height - 1)): a square of side 1 in x and z,
- * the picture's bottom towards +z, with heights from 0 to 1. Four neighbours are two triangles. Normals are smooth,
+ * Pixel (column, row) is the vertex (column/(width - 1), level/maximum, row/(height - 1)): a square of side 1 in x and
+ * z, the picture's bottom towards +z, with heights from 0 to 1. Four neighbours are two triangles. Normals are smooth,
  * from the differences of neighbouring levels, one-sided at the edges. Texture coordinates put an image on the square,
  * seen from above with +z at its bottom.
  */
@@ -176,8 +176,7 @@ static int read_once(struct tia_plain *p, void *ctx)
     return TIA_OK;
 }
 
-int tia_read_pgm(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena,
-                 struct tia_model_use *use)
+int tia_read_pgm(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena, struct tia_model_use *use)
 {
     struct tia_plain p = tia_plain_begin(reader, scene, use, "some squares");
 

@@ -5,8 +5,8 @@ static const struct {
     const char *names[2];
     uint8_t type;
 } types[] = {
-    {{"char", "int8"}, PLY_I8},    {{"uchar", "uint8"}, PLY_U8}, {{"short", "int16"}, PLY_I16},
-    {{"ushort", "uint16"}, PLY_U16}, {{"int", "int32"}, PLY_I32},  {{"uint", "uint32"}, PLY_U32},
+    {{"char", "int8"}, PLY_I8},      {{"uchar", "uint8"}, PLY_U8},     {{"short", "int16"}, PLY_I16},
+    {{"ushort", "uint16"}, PLY_U16}, {{"int", "int32"}, PLY_I32},      {{"uint", "uint32"}, PLY_U32},
     {{"float", "float32"}, PLY_F32}, {{"double", "float64"}, PLY_F64},
 };
 
@@ -14,13 +14,27 @@ static const struct {
     const char *name;
     uint8_t role;
 } roles[] = {
-    {"x", PLY_X},         {"y", PLY_Y},           {"z", PLY_Z},
-    {"nx", PLY_NX},       {"ny", PLY_NY},         {"nz", PLY_NZ},
-    {"u", PLY_U},         {"v", PLY_V},           {"s", PLY_U},
-    {"t", PLY_V},         {"texture_u", PLY_U},   {"texture_v", PLY_V},
-    {"red", PLY_RED},     {"green", PLY_GREEN},   {"blue", PLY_BLUE},
-    {"r", PLY_RED},       {"g", PLY_GREEN},       {"b", PLY_BLUE},
-    {"diffuse_red", PLY_RED}, {"diffuse_green", PLY_GREEN}, {"diffuse_blue", PLY_BLUE},
+    {"x", PLY_X},
+    {"y", PLY_Y},
+    {"z", PLY_Z},
+    {"nx", PLY_NX},
+    {"ny", PLY_NY},
+    {"nz", PLY_NZ},
+    {"u", PLY_U},
+    {"v", PLY_V},
+    {"s", PLY_U},
+    {"t", PLY_V},
+    {"texture_u", PLY_U},
+    {"texture_v", PLY_V},
+    {"red", PLY_RED},
+    {"green", PLY_GREEN},
+    {"blue", PLY_BLUE},
+    {"r", PLY_RED},
+    {"g", PLY_GREEN},
+    {"b", PLY_BLUE},
+    {"diffuse_red", PLY_RED},
+    {"diffuse_green", PLY_GREEN},
+    {"diffuse_blue", PLY_BLUE},
 };
 
 static int read_type(struct ply *ply, const struct tia_word *word, uint8_t *type)

@@ -11,7 +11,7 @@
 
 /* ---- vertices ---- */
 
-#define HAS(e, role) ((e)->roles >> (role) & 1)
+#define HAS(e, role) ((e)->roles >> (role)&1)
 
 /* Returns the fractional bits with which a property of a vertex is read. */
 static unsigned bits_of(const struct ply *ply, const struct ply_property *property)
@@ -162,8 +162,7 @@ static int read_once(struct tia_plain *p, void *ctx)
     return status ? status : read_elements(ply);
 }
 
-int tia_read_ply(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena,
-                 struct tia_model_use *use)
+int tia_read_ply(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena, struct tia_model_use *use)
 {
     struct tia_plain p = tia_plain_begin(reader, scene, use, "some faces");
     struct ply ply;

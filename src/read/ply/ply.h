@@ -46,9 +46,9 @@ struct ply {
     struct ply_element elements[PLY_ELEMENTS];
     struct ply_property properties[PLY_PROPERTIES];
     unsigned element_count, property_count;
-    const char *at;     /* next byte of a binary file */
-    const char *thing;  /* the element being read, for messages: "vertex" */
-    uint32_t number;    /* its number, from 1 */
+    const char *at;    /* next byte of a binary file */
+    const char *thing; /* the element being read, for messages: "vertex" */
+    uint32_t number;   /* its number, from 1 */
 };
 
 /* Sets the error of the element being read; returns TIA_ERR_RANGE. */

@@ -205,8 +205,8 @@ int tia_line_shape(struct tia_parse *job, enum tia_shape_kind kind)
     return read_fields(job, &line);
 }
 
-/* Sets the mesh of an instance. Which meshes are models is known in the last pass; one whose line has a mistake may be a
- * model. */
+/* Sets the mesh of an instance. Which meshes are models is known in the last pass; one whose line has a mistake may be
+ * a model. */
 static void set_mesh(struct tia_parse *job, struct shape_line *line, const struct tia_word *name, uint32_t mesh)
 {
     const struct tia_parse_model *model = job->pass == TIA_FILLING ? tia_model_at(job, mesh) : NULL;

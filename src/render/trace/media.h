@@ -5,8 +5,8 @@
 #include "trace.h"
 
 /* The entered objects in the order of entry. Each object is packed into a word, since many rays are pending on a small
- * stack. The word is the object's index, below TIA_OBJECTS_MAX, with the number of a grid's or solid's material in the bits
- * above it. */
+ * stack. The word is the object's index, below TIA_OBJECTS_MAX, with the number of a grid's or solid's material in the
+ * bits above it. */
 struct media {
     uint32_t entered[TIA_MEDIA_MAX], count;
 };

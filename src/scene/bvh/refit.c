@@ -42,8 +42,8 @@ struct following {
 /* True if transform `number`, from 1, is as it was; also if it is 0. */
 static bool is_still(const struct following *f, uint32_t number)
 {
-    return !number || same(&f->scene->transforms[number - 1], &f->standing->transforms[number - 1],
-                           sizeof(struct tia_transform));
+    return !number ||
+           same(&f->scene->transforms[number - 1], &f->standing->transforms[number - 1], sizeof(struct tia_transform));
 }
 
 /* True if the object has moved; spheres without a transform never do. */

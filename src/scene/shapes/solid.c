@@ -1,6 +1,6 @@
 /* solid.c - solids; check/solid.c has the rules of the expressions themselves. */
-#include "description.h"
 #include "scene/solid.h"
+#include "description.h"
 
 static int check_solid(const struct check *check, const struct tia_shape *shape)
 {

@@ -56,19 +56,39 @@ struct work {
 
 /* Calls DO(i, column) for each number that a queued ray consists of. */
 #define EACH_RAY_COLUMN(DO, r)                                                                                         \
-    DO(0, (r)->p.o.x)                                                                                                  \
-    DO(1, (r)->p.o.y)                                                                                                  \
-    DO(2, (r)->p.o.z) DO(3, (r)->p.d.x) DO(4, (r)->p.d.y) DO(5, (r)->p.d.z) DO(6, (r)->weight[0])                      \
-        DO(7, (r)->weight[1]) DO(8, (r)->weight[2]) DO(9, (r)->p.eo) DO(10, (r)->p.ed) DO(11, (r)->ew)                 \
-            DO(12, (r)->p.from.object) DO(13, (r)->p.from.element) DO(14, (r)->p.from.side)
+    DO(0, (r)->p.o.x);                                                                                                 \
+    DO(1, (r)->p.o.y);                                                                                                 \
+    DO(2, (r)->p.o.z);                                                                                                 \
+    DO(3, (r)->p.d.x);                                                                                                 \
+    DO(4, (r)->p.d.y);                                                                                                 \
+    DO(5, (r)->p.d.z);                                                                                                 \
+    DO(6, (r)->weight[0]);                                                                                             \
+    DO(7, (r)->weight[1]);                                                                                             \
+    DO(8, (r)->weight[2]);                                                                                             \
+    DO(9, (r)->p.eo);                                                                                                  \
+    DO(10, (r)->p.ed);                                                                                                 \
+    DO(11, (r)->ew);                                                                                                   \
+    DO(12, (r)->p.from.object);                                                                                        \
+    DO(13, (r)->p.from.element);                                                                                       \
+    DO(14, (r)->p.from.side)
 
 /* As EACH_RAY_COLUMN(), for the numbers of a hit's ray and its query that shading needs. */
 #define EACH_HIT_COLUMN(DO, r, q)                                                                                      \
-    DO(0, (r)->p.o.x)                                                                                                  \
-    DO(1, (r)->p.o.y)                                                                                                  \
-    DO(2, (r)->p.o.z) DO(3, (r)->p.d.x) DO(4, (r)->p.d.y) DO(5, (r)->p.d.z) DO(6, (r)->weight[0])                      \
-        DO(7, (r)->weight[1]) DO(8, (r)->weight[2]) DO(9, (r)->p.ed) DO(10, (r)->ew) DO(11, (q)->t) DO(12, (q)->ep)    \
-            DO(13, (q)->id) DO(14, (q)->element)
+    DO(0, (r)->p.o.x);                                                                                                 \
+    DO(1, (r)->p.o.y);                                                                                                 \
+    DO(2, (r)->p.o.z);                                                                                                 \
+    DO(3, (r)->p.d.x);                                                                                                 \
+    DO(4, (r)->p.d.y);                                                                                                 \
+    DO(5, (r)->p.d.z);                                                                                                 \
+    DO(6, (r)->weight[0]);                                                                                             \
+    DO(7, (r)->weight[1]);                                                                                             \
+    DO(8, (r)->weight[2]);                                                                                             \
+    DO(9, (r)->p.ed);                                                                                                  \
+    DO(10, (r)->ew);                                                                                                   \
+    DO(11, (q)->t);                                                                                                    \
+    DO(12, (q)->ep);                                                                                                   \
+    DO(13, (q)->id);                                                                                                   \
+    DO(14, (q)->element)
 
 LANE_OP void copy_media(struct media *to, const struct media *from)
 {
@@ -117,8 +137,8 @@ LANE_OP int dequeue_paths(struct queue *q, struct rays *r)
     return taken;
 }
 
-#define ENQUEUE(i, column) vstore(&to->number[i][to->count], vpacked(column, lanes));
-#define DEQUEUE(i, column) column = vload(&from->number[i][from->count]);
+#define ENQUEUE(i, column) vstore(&to->number[i][to->count], vpacked(column, lanes))
+#define DEQUEUE(i, column) column = vload(&from->number[i][from->count])
 
 /* Adds to the colours of a packet's samples. */
 LANE_OP void add_colour(struct work *w, unsigned lanes, const struct rays *r, const vd rgb[3], vd error)
@@ -237,7 +257,7 @@ static void push(struct work *w, unsigned lanes, struct rays *next, bool refract
 
     give_up(w, lanes & ~(yes | no), next, vset(1));
     lanes = with_room(w, yes, next);
-    EACH_RAY_COLUMN(ENQUEUE, next)
+    EACH_RAY_COLUMN(ENQUEUE, next);
     for (; lanes; lanes &= lanes - 1) {
         int k = __builtin_ctz(lanes);
         check_push(to->count, refracted);
@@ -255,7 +275,7 @@ static unsigned pop(struct work *w, struct rays *r)
     int taken = dequeue_paths(from, r);
     unsigned lanes = 0;
 
-    EACH_RAY_COLUMN(DEQUEUE, r)
+    EACH_RAY_COLUMN(DEQUEUE, r);
     for (int k = 0; k < taken; k++) {
         bool open = !w->block->unsure[r->slot[k]];
         check_pop(from->count + k);
@@ -273,7 +293,7 @@ static void push_hits(struct work *w, unsigned lanes, struct rays *r, struct que
 
     if (!lanes)
         return;
-    EACH_HIT_COLUMN(ENQUEUE, r, q)
+    EACH_HIT_COLUMN(ENQUEUE, r, q);
     for (; lanes; lanes &= lanes - 1)
         enqueue_path(to, r, __builtin_ctz(lanes));
 }
@@ -284,7 +304,7 @@ static unsigned pop_hits(struct work *w, struct rays *r, struct query *q)
     int taken = dequeue_paths(from, r);
     unsigned lanes = 0;
 
-    EACH_HIT_COLUMN(DEQUEUE, r, q)
+    EACH_HIT_COLUMN(DEQUEUE, r, q);
     for (int k = 0; k < taken; k++)
         lanes |= (unsigned)!w->block->unsure[r->slot[k]] << k;
     return lanes;

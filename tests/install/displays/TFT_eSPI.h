@@ -1,5 +1,5 @@
-// TFT_eSPI.h - in place of the library's header: the functions that the example calls, as the library's README and header
-// declare them, on a panel in memory.
+// TFT_eSPI.h - in place of the library's header: the functions that the example calls, as the library's README and
+// header declare them, on a panel in memory.
 #ifndef TFT_ESPI_H
 #define TFT_ESPI_H
 
@@ -13,14 +13,8 @@ class TFT_eSPI
         (void)colour;
         started = true;
     }
-    void setRotation(uint8_t rotation)
-    {
-        landscape = rotation & 1;
-    }
-    void setSwapBytes(bool swap)
-    {
-        swapped = swap;
-    }
+    void setRotation(uint8_t rotation) { landscape = rotation & 1; }
+    void setSwapBytes(bool swap) { swapped = swap; }
     void pushImage(int32_t x, int32_t y, int32_t w, int32_t h, uint16_t *data)
     {
         pushImage(x, y, w, h, const_cast<const uint16_t *>(data));

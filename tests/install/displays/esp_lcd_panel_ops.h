@@ -1,5 +1,5 @@
-/* esp_lcd_panel_ops.h - in place of ESP-IDF's header: the function that the example calls, as its API reference declares it.
- * The panel reads a row only when the next one begins, as DMA may. */
+/* esp_lcd_panel_ops.h - in place of ESP-IDF's header: the function that the example calls, as its API reference
+ * declares it. The panel reads a row only when the next one begins, as DMA may. */
 #ifndef ESP_LCD_PANEL_OPS_H
 #define ESP_LCD_PANEL_OPS_H
 
@@ -19,8 +19,8 @@ static inline void panel_finish(void)
     panel_pending = 0;
 }
 
-static inline esp_err_t esp_lcd_panel_draw_bitmap(esp_lcd_panel_handle_t panel, int x_start, int y_start, int x_end, int y_end,
-                                                  const void *color_data)
+static inline esp_err_t esp_lcd_panel_draw_bitmap(esp_lcd_panel_handle_t panel, int x_start, int y_start, int x_end,
+                                                  int y_end, const void *color_data)
 {
     (void)panel;
     panel_finish();

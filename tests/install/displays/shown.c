@@ -1,5 +1,5 @@
-/* shown.c - runs an example for a display, EXAMPLE, with the headers beside this file, and prints the library's version and the
- * CRC-32 of what the panel shows, as client.c does. */
+/* shown.c - runs an example for a display, EXAMPLE, with the headers beside this file, and prints the library's version
+ * and the CRC-32 of what the panel shows, as client.c does. */
 #include <stdio.h>
 #include <tia/debug.h>
 

@@ -22,8 +22,8 @@ struct corpus_rays {
     struct tia_material materials[CORPUS_RAYS_OBJECTS + 3 + CORPUS_RAYS_NESTED];
     struct tia_sphere spheres[CORPUS_RAYS_OBJECTS + 1];
     struct tia_shape shapes[CORPUS_RAYS_OBJECTS + 1 + CORPUS_RAYS_NESTED];
-    struct tia_transform transforms[CORPUS_RAYS_OBJECTS + CORPUS_RAYS_NESTED +
-                                    CORPUS_RAYS_SOLIDS * CORPUS_RAYS_MEMBERS];
+    struct tia_transform
+        transforms[CORPUS_RAYS_OBJECTS + CORPUS_RAYS_NESTED + CORPUS_RAYS_SOLIDS * CORPUS_RAYS_MEMBERS];
     struct tia_light lights[CORPUS_RAYS_LIGHTS];
     struct tia_fog fog;
     struct tia_texture textures[5]; /* the last two are opacities */

@@ -20,8 +20,8 @@ void corpus_add_noise(struct corpus_rays *out, uint64_t seed);
 /* Gives on average half of the materials of such a scene a bump, of any of its textures. */
 void corpus_add_bumps(struct corpus_rays *out, uint64_t seed);
 
-/* Makes at most 6 of such a scene's shapes solids, of 1 to 7 members each: of random members, some with coinciding faces,
- * combined at random. */
+/* Makes at most 6 of such a scene's shapes solids, of 1 to 7 members each: of random members, some with coinciding
+ * faces, combined at random. */
 void corpus_add_solids(struct corpus_rays *out, uint64_t seed);
 
 /* Makes such a scene's discs tori and its boxes rounded ones. */
