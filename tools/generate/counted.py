@@ -215,7 +215,7 @@ def cycles(_):
     integers, floats = (counts()["ATmega1284P", arithmetic][2] for arithmetic in ("q16", "f32"))
     return words({"takes {} cycles a pixel: a frame of 320x240 is drawn in {} seconds at 16 MHz":
                   (count.per_pixel(integers), round(integers / 16e6)),
-                  "float is faster, in {} cycles": (count.per_pixel(floats),)})
+                  "Float takes {} cycles,": (count.per_pixel(floats),)})
 
 
 @functools.lru_cache(None)
