@@ -332,6 +332,8 @@ TEST(all_mistakes)
     CHECK_EQ(check_mistakes(text, need - 1, "3 x 4 materal"), need);
     CHECK_EQ(check_mistakes(text, need, "2 n 3 x 4 materal"), need);
     (void)check_mistakes("group\nlight at 0 0 0 \\\n radus 1\ngroup\ngroup\nend\nend\n", 9999, "1 group 3 radus");
+    (void)check_mistakes(M "group\n  group\n  sphere radius 1 material m\nend\n", 9999, "3 group");
+    (void)check_mistakes(M "group\n  group\n  sphere radius 1 material m\n  end\n", 9999, "2 group");
     (void)check_mistakes("group at 0 x 0\nend\nunion at x 0 0\nend\nrepeat 0\nend\n", 9999, "1 x 3 x 5 0");
     (void)check_mistakes(M "sphere radius 0 material m", 9999, "2 radius");
     (void)check_mistakes("repeat 9\nsphere radius 1 material n\nend\n", 9999, "2 n");
