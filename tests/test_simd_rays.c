@@ -243,6 +243,26 @@ TEST(more_threads_than_rooms)
     threads_destroy(pool);
 }
 
+/* The memory for a scene that moves does not depend on the hierarchy of the moment, which may get more nodes. */
+TEST(room_for_any_hierarchy)
+{
+    static const struct tia_keyframe key = {.time = 0};
+    static const struct tia_track track = {.target = TIA_MOVES_EYE, .keys = &key, .key_count = 1};
+    struct tia_scene scene = balls.scene;
+    struct tia_bvh small = *scene.bvh;
+    size_t still = tia_simd_size(simd, &scene, scene.light_count, 1);
+
+    small.objects.node_count = 1;
+    scene.bvh = &small;
+    CHECK(tia_simd_size(simd, &scene, scene.light_count, 1) < still);
+    scene.tracks = &track;
+    scene.track_count = 1;
+    size_t least = tia_simd_size(simd, &scene, scene.light_count, 1);
+    scene.bvh = balls.scene.bvh;
+    CHECK_EQ(tia_simd_size(simd, &scene, scene.light_count, 1), least);
+    CHECK(least >= still);
+}
+
 /* Frames that `stop` draws within a call, while this call uses the memory of the only thread. */
 static struct simd_frames *nested;
 static unsigned nested_calls;
@@ -332,6 +352,7 @@ static void run_all(const struct tia_simd *tested)
     simd = tested; /* without counters, which are not for several threads */
     RUN_SIMD(threads);
     RUN_SIMD(more_threads_than_rooms);
+    RUN_SIMD(room_for_any_hierarchy);
     RUN_SIMD(a_call_within_a_call);
 }
 

@@ -8,15 +8,15 @@
 /* Returns a/b, rounded down; b is not 0. */
 uint64_t tia_quotient(uint64_t a, uint64_t b);
 
-/* Returns a/b bit by bit, with code that is small: tia_quotient on machines of 32 bits. */
+/* Returns a/b bit by bit, with code that is small: tia_quotient on machines of 32 bits. Twice the rest fits, since the
+ * rest is made of the upper 63 bits of `a` at most. */
 static inline uint64_t divide_by_bits(uint64_t a, uint64_t b)
 {
     uint64_t rest = 0;
 
     for (int i = 0; i < 64; i++) {
-        bool over = rest >> 63; /* then twice the rest is at least 2^64, above b */
         rest = rest << 1 | a >> 63;
-        bool fits = over || rest >= b;
+        bool fits = rest >= b;
         rest -= fits ? b : 0;
         a = a << 1 | fits;
     }
