@@ -54,8 +54,8 @@ struct work {
     struct light_room lights;
 };
 
-/* Calls DO(i, column) for each number that a queued ray consists of. */
-#define EACH_RAY_COLUMN(DO, r)                                                                                         \
+/* Calls DO(i, column) for each number that a queued ray and a queued hit have. */
+#define EACH_SHARED_COLUMN(DO, r)                                                                                      \
     DO(0, (r)->p.o.x);                                                                                                 \
     DO(1, (r)->p.o.y);                                                                                                 \
     DO(2, (r)->p.o.z);                                                                                                 \
@@ -64,7 +64,11 @@ struct work {
     DO(5, (r)->p.d.z);                                                                                                 \
     DO(6, (r)->weight[0]);                                                                                             \
     DO(7, (r)->weight[1]);                                                                                             \
-    DO(8, (r)->weight[2]);                                                                                             \
+    DO(8, (r)->weight[2])
+
+/* As EACH_SHARED_COLUMN(), for all numbers of a ray. */
+#define EACH_RAY_COLUMN(DO, r)                                                                                         \
+    EACH_SHARED_COLUMN(DO, r);                                                                                         \
     DO(9, (r)->p.eo);                                                                                                  \
     DO(10, (r)->p.ed);                                                                                                 \
     DO(11, (r)->ew);                                                                                                   \
@@ -72,17 +76,9 @@ struct work {
     DO(13, (r)->p.from.element);                                                                                       \
     DO(14, (r)->p.from.side)
 
-/* As EACH_RAY_COLUMN(), for the numbers of a hit's ray and its query that shading needs. */
+/* As EACH_SHARED_COLUMN(), for the numbers of a hit's ray and its query that shading needs. */
 #define EACH_HIT_COLUMN(DO, r, q)                                                                                      \
-    DO(0, (r)->p.o.x);                                                                                                 \
-    DO(1, (r)->p.o.y);                                                                                                 \
-    DO(2, (r)->p.o.z);                                                                                                 \
-    DO(3, (r)->p.d.x);                                                                                                 \
-    DO(4, (r)->p.d.y);                                                                                                 \
-    DO(5, (r)->p.d.z);                                                                                                 \
-    DO(6, (r)->weight[0]);                                                                                             \
-    DO(7, (r)->weight[1]);                                                                                             \
-    DO(8, (r)->weight[2]);                                                                                             \
+    EACH_SHARED_COLUMN(DO, r);                                                                                         \
     DO(9, (r)->p.ed);                                                                                                  \
     DO(10, (r)->ew);                                                                                                   \
     DO(11, (q)->t);                                                                                                    \
