@@ -16,7 +16,8 @@ int message_list(const char *tool, int status, const char *format, va_list value
 /* Prints "TOOL: WHAT: WHY", or "TOOL: WHAT" if `why` is "". Returns `status`. */
 int message_why(const char *tool, int status, const char *what, const char *why);
 
-/* Prints a text to standard output, as for --help. Returns 0; 1 after an error message if that fails. */
+/* Prints a text to standard output, as for --help, or "" at the end of a run: all that was printed must arrive. Returns
+ * 0; 1 after an error message if that fails. */
 int message_output(const char *tool, const char *text);
 
 #endif

@@ -2,12 +2,12 @@
 
 #include <stddef.h>
 #include <string.h>
-#include <strings.h>
 
 #include <tia/tia.h>
 
 #include "common/choices.h"
 #include "common/command_line.h"
+#include "common/image/image.h"
 #include "common/message.h"
 #include "common/parse.h"
 #include "common/scene/scene_load.h"
@@ -125,9 +125,8 @@ static int check_exact(struct options *options)
 static int check_heatmap(const struct options *options)
 {
     const char *name = options->heatmap;
-    size_t length = name ? strlen(name) : 0;
 
-    if (name && (length < 5 || strcasecmp(name + length - 4, ".png") != 0))
+    if (name && (strlen(name) <= strlen(".png") || image_format_of(name) != IMAGE_PNG))
         return mistake("--heatmap", "not a file in .png");
     return 0;
 }

@@ -168,21 +168,27 @@ static int amount_digits(struct tia_text *t, struct tia_shadow_map *map)
     return status;
 }
 
+/* Reads a number that must not be negative. */
+static int not_negative(struct tia_text *t, int (*read)(struct tia_text *, tia_q16 *), tia_q16 *out)
+{
+    struct tia_word word;
+
+    (void)tia_text_peek(t, &word);
+    int status = read(t, out);
+    return !status && *out < 0 ? tia_text_error(t, &word, "is below 0", "0 or more") : status;
+}
+
 static int map_bias(struct tia_text *t, struct tia_shadow_map *map)
 {
     unsigned bias;
-    struct tia_word word;
     int status =
         named(t, tia_bias_name, TIA_BIAS_NONE, "is not a bias", "none, constant, slope, normal or plane", &bias);
 
     map->bias = (enum tia_bias)bias;
     if (status || bias == TIA_BIAS_NONE)
         return status;
-    (void)tia_text_peek(t, &word);
     struct tia_text again = *t;
-    status = tia_text_q16(t, &map->amount);
-    if (!status && map->amount < 0)
-        status = tia_text_error(t, &word, "is below 0", "0 or more");
+    status = not_negative(t, tia_text_q16, &map->amount);
     map->amount_bits = 0;
     if (!status && bias == TIA_BIAS_CONSTANT)
         status = amount_digits(&again, map);
@@ -197,15 +203,6 @@ static int map_filter(struct tia_text *t, struct tia_shadow_map *map)
 
     map->filter = (enum tia_filter)filter;
     return status;
-}
-
-static int facet_length(struct tia_text *t, tia_q16 *length)
-{
-    struct tia_word word;
-
-    (void)tia_text_peek(t, &word);
-    int status = tia_text_length(t, length);
-    return !status && *length < 0 ? tia_text_error(t, &word, "is below 0", "0 or more") : status;
 }
 
 /* Reads a field of the statement `shadows`; `seen` has a bit for each field that was read. */
@@ -224,7 +221,7 @@ static int shadow_field(struct tia_text *t, const struct tia_word *word, struct 
         return tia_text_error(t, word, "is given twice", "once");
     *seen |= 1U << i;
     if (i == 0)
-        return facet_length(t, &scene->tessellated);
+        return not_negative(t, tia_text_length, &scene->tessellated);
     return i == 1   ? map_size(t, &scene->shadow_map)
            : i == 2 ? map_bias(t, &scene->shadow_map)
                     : map_filter(t, &scene->shadow_map);
