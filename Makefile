@@ -408,7 +408,7 @@ SLOW  := $(LONG) $(filter-out $(LONG),$(sort $(wildcard tests/slow/*)))
 LONGER := $(addprefix tests/quick/,background benchmark compare convert denoise editors exact eye far-lights headers lint mirrors moves osmesa palettes \
   resume shadows telltales words) \
   $(addprefix $(BUILD)/tests/test_,bounds compiled frames gl_picture gl_raster mirrors osmesa ray_bounds shadow_curved shapes shapes_chk shapes_f64 \
-  simd_rays simd_shadows simd_spans simd_stack span_error span_exact)
+  simd_large simd_rays simd_shadows simd_spans simd_stack span_error span_exact)
 TOOLS := $(PROGRAMS:%=$(BUILD)/%)
 export BUILD CC F64
 VM_PROGRAMS := $(BUILD)/vm/probe $(BUILD)/vm/controller

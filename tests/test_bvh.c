@@ -191,7 +191,7 @@ TEST(a_depth_that_would_not_do)
     struct tia_bounds boxes[100], bounds;
     uint32_t numbers[100];
     struct cancel never = {0};
-    const struct tia_bvh_split_items items = {boxes, numbers, 100, 1, &never};
+    const struct tia_bvh_split_items items = {boxes, numbers, 100, 1, 1, &never};
 
     for (uint32_t i = 0; i < 100; i++) {
         struct tia_vec3 p = {i < 90 ? (tia_q16)i : (tia_q16)i * ONE, 0, 0};
@@ -213,10 +213,27 @@ TEST(items_that_cost_more_are_split_sooner)
     struct cancel never = {0};
 
     for (uint32_t cost = 1; cost < 5; cost++) {
-        const struct tia_bvh_split_items items = {boxes, numbers, 2, cost, &never};
+        const struct tia_bvh_split_items items = {boxes, numbers, 2, cost, 1, &never};
         struct tia_bounds bounds;
         CHECK_EQ(tia_bvh_split_items(&items, &bounds, 2), cost > 2);
     }
+}
+
+/* Four boxes far apart are divided, unless so many items are to stay together. */
+TEST(few_items_that_are_not_divided)
+{
+    struct cancel never = {0};
+
+    for (uint32_t undivided = 1; undivided < 6; undivided++)
+        for (uint32_t count = 2; count < 5; count++) {
+            struct tia_bounds boxes[4], bounds;
+            uint32_t numbers[4] = {0, 1, 2, 3};
+            for (int32_t i = 0; i < 4; i++)
+                boxes[i] = (struct tia_bounds){{99 * i, 0, 0}, {99 * i + 2, 2, 2}};
+            const struct tia_bvh_split_items items = {boxes, numbers, count, 3, undivided, &never};
+            CHECK_EQ(tia_bvh_split_items(&items, &bounds, 4) == 0, count <= undivided);
+            CHECK(bounds.min.x == 0 && bounds.max.x == 99 * (int32_t)count - 97 && bounds.max.z == 2);
+        }
 }
 
 /* The first axis on which the centres differ orders two items: the lower centre comes first. */
@@ -234,7 +251,7 @@ TEST(order_of_two)
     for (unsigned i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct tia_bounds boxes[2] = {{{4, 4, 4}, {5, 5, 5}}, cases[i].second}, bounds;
         uint32_t numbers[2] = {0, 1};
-        const struct tia_bvh_split_items items = {boxes, numbers, 2, 3, &never};
+        const struct tia_bvh_split_items items = {boxes, numbers, 2, 3, 1, &never};
         CHECK_EQ(tia_bvh_split_items(&items, &bounds, 2), cases[i].left);
         CHECK_EQ(numbers[0], cases[i].first);
         CHECK(!memcmp(&boxes[1 - cases[i].first], &cases[i].second, sizeof boxes[0]));
@@ -275,6 +292,7 @@ int main(void)
     RUN(exponential_spacing);
     RUN(a_depth_that_would_not_do);
     RUN(items_that_cost_more_are_split_sooner);
+    RUN(few_items_that_are_not_divided);
     RUN(order_of_two);
     RUN(ends_of_the_numbers);
     RUN(too_large_for_the_machine);

@@ -237,7 +237,7 @@ static void build_tree(struct tia_radio *radio, struct tia_bvh_node *nodes, uint
             boxes[count] = radio->boxes[f];
             items[count++] = f;
         }
-    const struct bvh_items all = {items, boxes, ITEM_COST};
+    const struct bvh_items all = {items, boxes, ITEM_COST, 1};
     uint32_t used = tia_bvh_build_range(nodes, &all, (struct bvh_range){0, count, 0}, &cancel);
     radio->tree = (struct tia_bvh_tree){nodes, items, used, count};
 }

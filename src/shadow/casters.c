@@ -90,7 +90,7 @@ int tia_casters_build(struct tia_casters *casters, void *memory, const struct ti
     }
     casters->unbounded = items + last;
     casters->unbounded_count = count - last;
-    const struct bvh_items all = {items, boxes, 1};
+    const struct bvh_items all = {items, boxes, 1, 1};
     uint32_t used = tia_bvh_build_range(nodes, &all, (struct bvh_range){0, first, 0}, cancel);
     casters->tree = (struct tia_bvh_tree){nodes, items, used, first};
     return cancel->stopped ? TIA_STOPPED : TIA_OK;

@@ -15,6 +15,10 @@
  * takes about twice as many instructions as a visit, a triangle three times, a cylinder or cone five times. */
 enum { SPHERE_COST = 2, FACE_COST = 3, ROUND_COST = 5 };
 
+/* In large meshes a node of up to four faces is a leaf. Their trees take half of the memory; as this does not fit in
+ * caches, rays do not take longer. */
+#define LARGE_LEAF 4
+
 /* Returns the largest number of boxes needed at the same time. */
 static uint64_t box_count(const struct tia_scene *scene)
 {
@@ -40,17 +44,15 @@ size_t tia_bvh_size(const struct tia_scene *scene)
     return size > SIZE_MAX / 2 ? SIZE_MAX : (size_t)size;
 }
 
-/* Builds the tree of `count` items; testing an item costs as much as `cost` visits. Allocates only the nodes used, at
- * most TREE_NODES(count). */
-static struct tia_bvh_tree build(struct bvh_space *space, uint32_t *items, uint32_t count, uint32_t cost)
+/* Builds the tree of `count` items. Allocates only the nodes used, at most TREE_NODES(count). */
+static struct tia_bvh_tree build(struct bvh_space *space, const struct bvh_items *all, uint32_t count)
 {
     struct tia_bvh_node *nodes = (struct tia_bvh_node *)(void *)space->front;
-    const struct bvh_items all = {items, space->boxes, cost};
-    uint32_t used = space->build ? space->build(space, nodes, &all, count)
-                                 : tia_bvh_build_range(nodes, &all, (struct bvh_range){0, count, 0}, &space->cancel);
+    uint32_t used = space->build ? space->build(space, nodes, all, count)
+                                 : tia_bvh_build_range(nodes, all, (struct bvh_range){0, count, 0}, &space->cancel);
 
     bvh_allocate(space, used * sizeof *nodes);
-    return (struct tia_bvh_tree){nodes, items, used, count};
+    return (struct tia_bvh_tree){nodes, all->items, used, count};
 }
 
 static struct tia_bvh_tree build_mesh(struct bvh_space *space, const struct tia_mesh *mesh)
@@ -63,7 +65,8 @@ static struct tia_bvh_tree build_mesh(struct bvh_space *space, const struct tia_
         (void)tia_bounds_with_margin(&wide, &space->boxes[i]);
         items[i] = i;
     }
-    return build(space, items, mesh->face_count, FACE_COST);
+    const struct bvh_items all = {items, space->boxes, FACE_COST, mesh->face_count > BVH_LARGE_MESH ? LARGE_LEAF : 1};
+    return build(space, &all, mesh->face_count);
 }
 
 /* Returns a mesh's own box: the root's box without the margin that tia_bounds_with_margin added. */
@@ -124,7 +127,8 @@ void tia_bvh_build_objects(struct bvh_space *space, struct tia_bvh *bvh, const s
             items[first++] = i;
         else
             items[--last] = i;
-    bvh->objects = build(space, items, first, object_cost(scene, items, first, &space->cancel));
+    const struct bvh_items all = {items, space->boxes, object_cost(scene, items, first, &space->cancel), 1};
+    bvh->objects = build(space, &all, first);
     bvh->unbounded = items + last;
     bvh->unbounded_count = count - last;
 }

@@ -301,11 +301,11 @@ uint32_t tia_bvh_split_items(const struct tia_bvh_split_items *items, struct tia
     struct tia_bvh_binning binning[3];
     struct tia_bvh_bins bins;
 
-    if (items->count == 2 && most > 0)
+    if (items->count == 2 && items->undivided < 2 && most > 0)
         return split_two(items, bounds);
     tia_bvh_measure(&extent, items);
     *bounds = bounds_of(&extent.box);
-    if (items->count < 2 || items->cancel->stopped)
+    if (items->count <= items->undivided || items->cancel->stopped)
         return 0;
     bool divides = tia_bvh_choose_bins(binning, &extent);
     if (divides)

@@ -15,7 +15,8 @@ struct tia_bvh_split_items {
     struct tia_bounds *boxes;
     uint32_t *items;
     uint32_t count;
-    uint32_t cost; /* cost of testing an item, in visits to a node's two children; not 0 */
+    uint32_t cost;      /* cost of testing an item, in visits to a node's two children; not 0 */
+    uint32_t undivided; /* number of items of the largest node that is a leaf at any cost; not 0 */
     struct cancel *cancel;
 };
 

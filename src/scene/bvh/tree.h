@@ -7,16 +7,19 @@
 #include "scene/cancel.h"
 #include "split.h"
 
+#define BVH_LARGE_MESH ((uint32_t)1 << 21) /* a mesh of more faces is stored in less memory */
+
 /* The largest number of nodes for n items: each leaf has at least one item. */
 #define TREE_NODES(n) ((n) ? 2 * (uint64_t)(n)-1 : 0)
 
 /* The input of a tree's construction. Building reorders the items together with their boxes: boxes[i] is the box of
  * items[i], except in finished leaves, where boxes are no longer needed and items are in rising order. `cost` is the
- * cost of testing an item, in visits to a node's children, at least 1. */
+ * cost of testing an item, in visits to a node's children, at least 1. A node of at most `undivided` items is a leaf;
+ * this is at least 1 and at most SPLIT_ITEMS_MOST. */
 struct bvh_items {
     uint32_t *items;
     struct tia_bounds *boxes;
-    uint32_t cost;
+    uint32_t cost, undivided;
 };
 
 /* The items below a node, and its depth. */
@@ -27,8 +30,8 @@ struct bvh_range {
 static inline struct tia_bvh_split_items bvh_items_of(const struct bvh_items *all, struct bvh_range range,
                                                       struct cancel *cancel)
 {
-    return (struct tia_bvh_split_items){all->boxes + range.first, all->items + range.first, range.count, all->cost,
-                                        cancel};
+    return (struct tia_bvh_split_items){
+        all->boxes + range.first, all->items + range.first, range.count, all->cost, all->undivided, cancel};
 }
 
 /* Returns the largest number of items that a node at `depth` may have, so that halving reaches single items at

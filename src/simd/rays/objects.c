@@ -1,7 +1,7 @@
 /* objects.c - conversion of spheres and shapes to double precision. */
 #include "grids.h"
 #include "scene/colour.h"
-#include "sure.h"
+#include "sure_faces.h"
 
 static void set_sphere(struct sure_object *o, struct num_point centre, num_length radius)
 {

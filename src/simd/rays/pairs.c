@@ -1,5 +1,5 @@
 /* pairs.c - the faces of a mesh in floats, two by two, in the order of its hierarchy's leaves: see pairs_tmpl.h. */
-#include "sure.h"
+#include "sure_faces.h"
 
 static double larger(double a, double b)
 {

@@ -4,6 +4,7 @@
 #ifndef TIA_SIMD_RAYS_SMOOTH_TMPL_H
 #define TIA_SIMD_RAYS_SMOOTH_TMPL_H
 
+#include "sure_faces.h"
 #include "vector_tmpl.h"
 
 /* The corners and smooth normals of faces, side by side, and their `extent` as in struct sure_face. */
@@ -63,8 +64,9 @@ LANE_OP void set_smooth_face(struct smooth_faces *to, int k, const struct sure_o
     static const double zero[3];
     const struct tia_mesh *mesh = o ? o->faces : NULL;
     const struct tia_corner *corner = mesh ? mesh->faces[face].corner : &none;
+    struct sure_flat room;
 
-    to->extent[k] = mesh ? (double)o->mesh->faces[face].extent : 0;
+    to->extent[k] = mesh ? (double)sure_flat_of(o->mesh, face, &room)->extent : 0;
     for (int i = 0; i < 3; i++) {
         const struct tia_vec3 *v = mesh ? &mesh->vertices[corner[i].vertex] : &origin;
         const double *n = mesh ? o->mesh->normals[corner[i].normal] : zero;

@@ -62,8 +62,8 @@ struct sure_face {
 };
 
 /* What is stored for a face of a mesh: its normal, its first corner in Q16.16, and `extent` as in struct sure_face,
- * rounded up, but not above 0 if the face has no normal. The rest is read from the mesh, see sure_face_of(): of three
- * million faces, a ray meets two. */
+ * rounded up, but not above 0 if the face has no normal. The rest is read from the mesh, see sure_face_of(). Of a large
+ * mesh nothing is stored, since a ray meets two faces of three million: see sure_flat_of(). */
 struct sure_flat {
     double normal[3];
     struct tia_vec3 corner;
@@ -90,7 +90,7 @@ struct sure_pair {
 struct sure_tree {
     const struct sure_node *nodes;
     const uint32_t *items;
-    const struct sure_flat *faces; /* a mesh's faces */
+    const struct sure_flat *faces; /* a mesh's faces; NULL if it has more than BVH_LARGE_MESH */
     const struct tia_mesh *mesh;   /* the mesh */
     const double (*normals)[3];    /* the mesh's normals */
     const struct sure_pair *pairs; /* pairs of the faces, the items of a mesh's leaves */
@@ -296,41 +296,6 @@ struct sure_kernels {
                                            two; both aligned to 64 */
 };
 
-/* Returns a face of a mesh. */
-static inline struct sure_face sure_face_of(const struct sure_tree *tree, uint32_t face)
-{
-    const struct sure_flat *from = &tree->faces[face];
-    const struct tia_corner *corner = tree->mesh->faces[face].corner;
-    struct sure_face f;
-
-    for (int i = 0; i < 3; i++) {
-        sure_corner(f.at[i], &tree->mesh->vertices[corner[i].vertex]);
-        f.normal[i] = from->normal[i];
-    }
-    f.any = from->extent > 0;
-    f.extent = __builtin_fabs((double)from->extent);
-    return f;
-}
-
-/* Returns a face's edges. Corners are multiples of 2^-16 and the centre is a multiple of 2^-17, so that only A x B is
- * rounded. */
-static inline struct sure_edges sure_edges_of(const struct sure_face *f, const double centre[3])
-{
-    struct sure_edges e;
-
-    for (int i = 0; i < 3; i++) {
-        const double *from = f->at[i], *to = f->at[i < 2 ? i + 1 : 0];
-        const double a[3] = {from[0] - centre[0], from[1] - centre[1], from[2] - centre[2]};
-        const double b[3] = {to[0] - centre[0], to[1] - centre[1], to[2] - centre[2]};
-        for (int k = 0; k < 3; k++) {
-            int x = k < 2 ? k + 1 : 0, y = k > 0 ? k - 1 : 2;
-            e.edge[i][0][k] = a[x] * b[y] - a[y] * b[x];
-            e.edge[i][1][k] = to[k] - from[k];
-        }
-    }
-    return e;
-}
-
 /* Returns the size of a scene in bytes. */
 size_t tia_sure_size(const struct tia_scene *scene, uint32_t light_capacity);
 
@@ -375,7 +340,6 @@ void tia_sure_widen(struct sure_tree *tree, const struct sure_object *objects, u
 uint32_t tia_sure_set_pairs(struct sure_pair *to, struct sure_node *nodes, const struct sure_tree *tree);
 
 void tia_sure_set_objects(struct sure_scene *scene, const struct sure_places *places);
-void tia_sure_set_face(struct sure_face *to, const struct tia_vec3 corner[3]);
 
 /* Gives the coordinates of sample i of an area light along the light's axes, for pixels of class `class`, see
  * trace/ray_light.c. */

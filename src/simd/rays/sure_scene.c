@@ -5,7 +5,7 @@
 #include "render/geometry/triangle.h"
 #include "scene/bvh/tree.h"
 #include "scene/colour.h"
-#include "sure.h"
+#include "sure_faces.h"
 
 #define ALIGN64(n) (((n) + 63) / 64 * 64)
 
@@ -51,6 +51,12 @@ static void take_wide(struct room *room, uint64_t spheres, uint64_t nodes, struc
     p->wide_of = take(room, nodes, sizeof *p->wide_of);
 }
 
+/* Returns the number of faces of a mesh for each of which struct sure_flat is stored. */
+static uint32_t stored_faces(const struct tia_mesh *mesh)
+{
+    return mesh->face_count > BVH_LARGE_MESH ? 0 : mesh->face_count;
+}
+
 /* Divides the memory; returns the bytes used. If objects move, they suffice for the hierarchy at any time. */
 static uint64_t divide(struct room *room, const struct tia_scene *scene, uint32_t light_capacity, struct places *p)
 {
@@ -60,7 +66,7 @@ static uint64_t divide(struct room *room, const struct tia_scene *scene, uint32_
 
     for (uint32_t i = 0; i < scene->mesh_count; i++) {
         nodes += SURE_NODES((uint64_t)scene->bvh->meshes[i].node_count);
-        faces += scene->meshes[i].face_count;
+        faces += stored_faces(&scene->meshes[i]);
         normals += scene->meshes[i].normal_count;
         pairs += SURE_PAIRS((uint64_t)scene->bvh->meshes[i].item_count, scene->bvh->meshes[i].node_count);
     }
@@ -159,7 +165,7 @@ void tia_sure_set_face(struct sure_face *to, const struct tia_vec3 corner[3])
     }
 }
 
-static void set_mesh_face(struct sure_flat *to, const struct tia_mesh *mesh, uint32_t face)
+void tia_sure_set_flat(struct sure_flat *to, const struct tia_mesh *mesh, uint32_t face)
 {
     const struct tia_corner *c = mesh->faces[face].corner;
     const struct tia_vec3 at[3] = {mesh->vertices[c[0].vertex], mesh->vertices[c[1].vertex],
@@ -203,12 +209,12 @@ static void set_trees(struct sure_scene *s, const struct tia_scene *scene, struc
     for (uint32_t i = 0; i < scene->mesh_count; i++) {
         struct sure_node *own = nodes;
         p->meshes[i] = mesh_tree_of(&scene->bvh->meshes[i], &nodes);
-        p->meshes[i].faces = faces;
+        p->meshes[i].faces = stored_faces(&scene->meshes[i]) ? faces : NULL;
         p->meshes[i].mesh = &scene->meshes[i];
         p->meshes[i].groups = scene->meshes[i].groups;
         set_level(&p->meshes[i], &scene->meshes[i]);
-        for (uint32_t k = 0; k < scene->meshes[i].face_count; k++)
-            set_mesh_face(faces++, &scene->meshes[i], k);
+        for (uint32_t k = 0; k < stored_faces(&scene->meshes[i]); k++)
+            tia_sure_set_flat(faces++, &scene->meshes[i], k);
         p->meshes[i].normals = (const double(*)[3])normals;
         for (uint32_t k = 0; k < scene->meshes[i].normal_count; k++)
             sure_dir(*normals++, num_dir_of(scene->meshes[i].normals[k]));

@@ -255,15 +255,15 @@ static void smooth_normals(struct shade *h, struct smooth_faces *faces, unsigned
     h->unsure = mor(h->unsure, mand(m, mnot(n.fine)));
 }
 
-/* Returns the normal of a plane, cap, box or face. *turned is set if it must be negated. */
-static const double *flat_normal(const struct shade *h, int k, bool *turned)
+/* Returns the normal of a plane, cap, box or face, perhaps in `room`. *turned is set if it must be negated. */
+static const double *flat_normal(const struct shade *h, int k, bool *turned, struct sure_flat *room)
 {
     static const double axes[6][3] = {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}};
     const struct sure_object *o = h->object[k];
 
     *turned = o->kind == SURE_ROUND && h->element[k] != ROUND_TOP;
     if (o->kind == SURE_MESH)
-        return o->mesh->faces[h->element[k]].normal;
+        return sure_flat_of(o->mesh, h->element[k], room)->normal;
     if (o->kind == SURE_TRIANGLE)
         return o->face->normal;
     if (o->kind == SURE_ROUND)
@@ -299,13 +299,14 @@ static void find_normals(struct shade *h, unsigned lanes)
 {
     static const double none[3];
     const double *flat[LANES];
+    struct sure_flat rooms[LANES];
     unsigned smooth = 0, round = 0, back = 0;
 
     for (int k = 0; k < LANES; k++) {
         bool turned = false;
         flat[k] = none;
         if (lanes >> k & 1) {
-            flat[k] = flat_normal(h, k, &turned);
+            flat[k] = flat_normal(h, k, &turned, &rooms[k]);
             round |= (unsigned)is_round(h, k) << k;
             smooth |= (unsigned)is_smooth(h, k) << k;
         }

@@ -7,6 +7,7 @@
 
 #include "math/atan2.h"
 #include "render/geometry/round.h"
+#include "sure_faces.h"
 #include "vector_tmpl.h"
 
 /* A point in the axes of its object, and the element that was hit. */

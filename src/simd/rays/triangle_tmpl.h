@@ -24,6 +24,7 @@
 #define TIA_SIMD_RAYS_TRIANGLE_TMPL_H
 
 #include "flat_tmpl.h"
+#include "sure_faces.h"
 
 /* The lines that certainly pass inside all edges of a face, and those that certainly pass outside of one. */
 struct sides {

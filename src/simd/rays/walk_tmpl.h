@@ -12,6 +12,7 @@
 #include "box_tmpl.h"
 #include "cylinder_tmpl.h"
 #include "descend_tmpl.h"
+#include "faces_tmpl.h"
 #include "flat_tmpl.h"
 #include "grid_tmpl.h"
 #include "instance_tmpl.h"
@@ -45,50 +46,6 @@ struct room {
     struct grid_walk grid;
     struct group_list groups;
 };
-
-/* Intersects one face of a pair. Bit 2 k stands for lane k: it is set in `maybe` if the line may pass inside the face's
- * edges, and in `inside` if it certainly does. The face on which rays start is most often the only one that they may
- * meet, so these lanes are left out first. */
-LANE_OP void meet_one_of(const struct sure_tree *tree, uint32_t face, unsigned maybe, unsigned inside, struct query *q)
-{
-    const struct sure_flat *f = &tree->faces[face];
-    unsigned lanes = half(maybe), own = lanes & q->lines->starts;
-    double at[3];
-
-    if (own)
-        lanes &= ~(own & mbits(from_element(q, vset((double)face))));
-    if (!lanes)
-        return;
-    struct sides sides = {mof(half(inside)), mnot(mof(lanes))};
-    if (lanes & ~half(inside)) {
-        const struct sure_face whole = sure_face_of(tree, face);
-        sides = face_sides(q->p, &q->lines->line, &whole);
-    }
-    sure_corner(at, &f->corner);
-    q->group = q->groups ? tree->groups[face] : 0;
-    meet_plane_of(q, at, f->normal, (double)f->extent, face, sides);
-}
-
-/* Intersects some of a leaf's faces. First finds the faces that any line may meet, without a branch for each, and then
- * intersects these. */
-LANE_OP void meet_some(const struct sure_tree *tree, const struct sure_pair *pairs, uint32_t count, struct query *q)
-{
-    unsigned inside[SURE_LEAF / 2], maybe[SURE_LEAF / 2], met = 0, active = twice(mbits(q->active));
-
-    for (uint32_t i = 0; i < count; i++) {
-        struct passes passes = pair_passes(q->lines, &pairs[i]);
-        inside[i] = passes.inside;
-        maybe[i] = active & ~passes.outside;
-        met |= (unsigned)(maybe[i] != 0) << i;
-    }
-    for (; met; met &= met - 1) {
-        int i = __builtin_ctz(met);
-        if (maybe[i] & EVEN)
-            meet_one_of(tree, pairs[i].face[0], maybe[i], inside[i], q);
-        if (maybe[i] >> 1 & EVEN)
-            meet_one_of(tree, pairs[i].face[1], maybe[i] >> 1, inside[i] >> 1, q);
-    }
-}
 
 LANE_OP void meet_faces(const struct sure_scene *s, const struct sure_tree *tree, const struct node_ref *v,
                         struct query *q)
