@@ -46,15 +46,28 @@ static struct {
 
 struct shown {
     struct tia_tile area;
+    unsigned rows; /* of a strip */
     struct tia_view *view;
     struct tia_hits *hits;
     struct tia_surface surface;
     void *memory[3];
 };
 
+/* Returns the rows of a strip in tia with one thread. */
+static unsigned strip_rows(const struct tia_scene *scene, unsigned width, unsigned height)
+{
+    uint64_t faces = 0;
+
+    for (uint32_t i = 0; i < scene->mesh_count; i++)
+        faces += scene->meshes[i].face_count;
+    faces = 32 * faces / width;
+    return faces > height ? height : faces > 64 ? (unsigned)faces : 64;
+}
+
 static void open_frame(struct shown *f, const struct tia_scene *scene, uint16_t width, uint16_t height)
 {
     f->area = (struct tia_tile){0, 0, width, height};
+    f->rows = strip_rows(scene, width, height);
     const struct tia_simd *simd = tia_simd_best();
     size_t sizes[3] = {tia_view_size(scene, scene->light_count), tia_hits_size(scene, f->area),
                        tia_simd_size(simd, scene, scene->light_count, 1)};
@@ -76,7 +89,26 @@ static void close_frame(struct shown *f)
         free(f->memory[i]);
 }
 
-/* Measures frames: tracing and lighting, and lighting alone, as after lights have moved. */
+/* Draws a frame strip by strip, as tia does; `relit`: only its lights have moved, and visible points are known. Returns
+ * the milliseconds. */
+static double draw(const struct shown *f, const struct tia_scene *scene, bool relit)
+{
+    struct tia_surface surface = f->surface;
+    struct tia_tile strip = f->area;
+    double start = cpu_milliseconds();
+
+    shadow_must(!tia_view_set_lights(f->view, scene->lights, scene->light_count));
+    for (unsigned y = 0; y < f->area.height; y += f->rows) {
+        strip.y = (uint16_t)y;
+        strip.height = (uint16_t)(f->area.height - y < f->rows ? f->area.height - y : f->rows);
+        surface.pixels = f->surface.pixels + (size_t)y * f->area.width;
+        shadow_must((relit || !tia_view_trace(f->view, f->hits, strip)) &&
+                    !tia_view_light(f->view, f->hits, strip, &surface, NULL));
+    }
+    return cpu_milliseconds() - start;
+}
+
+/* Measures frames, and such after lights have moved. */
 static void measure(struct times *least, const struct tia_scene *scene, const struct drawn_case *c)
 {
     double spent = 0;
@@ -84,15 +116,10 @@ static void measure(struct times *least, const struct tia_scene *scene, const st
 
     open_frame(&f, scene, c->width, c->height);
     for (int round = 0; round < ROUNDS && spent < PATIENCE; round++) {
-        double start = cpu_milliseconds();
-        shadow_must(!tia_view_trace(f.view, f.hits, f.area));
-        double seen = cpu_milliseconds();
-        shadow_must(!tia_view_set_lights(f.view, scene->lights, scene->light_count) &&
-                    !tia_view_light(f.view, f.hits, f.area, &f.surface, NULL));
-        double lit = cpu_milliseconds();
-        keep_least(&least->frame, lit - start);
-        keep_least(&least->relit, lit - seen);
-        spent += lit - start;
+        double frame = draw(&f, scene, false);
+        keep_least(&least->frame, frame);
+        keep_least(&least->relit, draw(&f, scene, true));
+        spent += frame;
     }
     close_frame(&f);
 }

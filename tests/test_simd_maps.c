@@ -171,6 +171,16 @@ static void check_side(struct shaft_block *b, uint32_t face, uint32_t caster, un
     CHECK_MSG(!c->planes ? !want : unsure || hidden == want, "face %u, caster %u", face, caster);
 }
 
+static void open_block(struct shaft_block *b, struct tia_shadow_rays *rays)
+{
+    *rays = (struct tia_shadow_rays){.flat = &view.flat, .light = &w.at};
+    *b = (struct shaft_block){.rays = rays, .last = TIA_NO_FACE};
+    for (int i = 0; i < TIA_OCCLUDERS; i++)
+        rays->occluder[i].face = TIA_NO_FACE;
+    for (int i = 0; i < SHAFT_FACES; i++)
+        b->caster[i].face = b->face[i].face = TIA_NO_FACE;
+}
+
 TEST(sides_of_casters)
 {
     unsigned long open = 0;
@@ -178,12 +188,9 @@ TEST(sides_of_casters)
     all = 0;
     for (int round = 0; round < WORLDS; round++) {
         make_world(round);
-        struct tia_shadow_rays rays = {.flat = &view.flat, .light = &w.at};
-        struct shaft_block b = {.rays = &rays, .last = TIA_NO_FACE};
-        for (int i = 0; i < TIA_OCCLUDERS; i++)
-            rays.occluder[i].face = TIA_NO_FACE;
-        for (int i = 0; i < SHAFT_FACES; i++)
-            b.caster[i].face = b.face[i].face = TIA_NO_FACE;
+        struct tia_shadow_rays rays;
+        struct shaft_block b;
+        open_block(&b, &rays);
         for (int n = 0; n < POINTS; n++) {
             b.x0 = (int)(random_bits() % 80);
             b.y0 = (int)(random_bits() % 60);
@@ -197,11 +204,70 @@ TEST(sides_of_casters)
     CHECK_MSG(all > WORLDS && open * 20 < all, "%lu of %lu are open", open, all);
 }
 
+/* True if the caster hides the light from a point of the face's plane. */
+static bool hides_at(uint32_t caster, uint32_t face, int x, int y)
+{
+    struct tia_occluder occluder;
+    struct tia_seen_face of;
+    struct tia_seen seen;
+
+    tia_seen_face_init(&of, &view.flat, face);
+    tia_seen_init(&seen, &of, x, y);
+    return tia_occluder_init(&occluder, &view.flat, &w.at, caster) && tia_occluder_hides(&occluder, &seen);
+}
+
+/* Checks that a caster that is given up for a block hides the light from none of its corners. */
+static void check_block(struct shaft_block *b, uint32_t face, uint32_t caster, unsigned long *given_up)
+{
+    const struct shaft_face *own = shaft_face_of(b, face);
+    double error[PLANES];
+
+    if (!own->turned || !own->known || face == caster)
+        return;
+    b->sum = 0;
+    b->seen = *own;
+    b->only = true;
+    for (int y = b->y0; y < b->y1; y++)
+        set_run(b, own, y, b->x0, b->x1);
+    all++;
+    if (!hides_nothing(b, caster_of(b, caster), error))
+        return;
+    *given_up += 1;
+    for (int i = 0; i < 4; i++) {
+        int x = i % 2 ? b->x1 - 1 : b->x0, y = i / 2 ? b->y1 - 1 : b->y0;
+        CHECK_MSG(!hides_at(caster, face, x, y), "face %u, caster %u, pixel (%d, %d)", face, caster, x, y);
+    }
+}
+
+TEST(casters_that_hide_nothing)
+{
+    unsigned long given_up = 0;
+
+    all = 0;
+    for (int round = 0; round < WORLDS; round++) {
+        make_world(round);
+        struct tia_shadow_rays rays;
+        struct shaft_block b;
+        open_block(&b, &rays);
+        for (int n = 0; n < POINTS; n++) {
+            b.x0 = (int)(random_bits() % 80);
+            b.y0 = (int)(random_bits() % 60);
+            b.x1 = b.x0 + 1 + (int)(random_bits() % SHAFT_COLUMNS);
+            b.y1 = b.y0 + 1 + (int)(random_bits() % SHAFT_ROWS);
+            check_block(&b, (uint32_t)(random_bits() % w.flat.face_count),
+                        (uint32_t)(random_bits() % w.flat.face_count), &given_up);
+        }
+        unmake();
+    }
+    CHECK_MSG(all > WORLDS && given_up * 2 > all, "%lu of %lu are given up", given_up, all);
+}
+
 int main(void)
 {
     RUN(distances_of_texels);
     RUN(distances_halfway);
     RUN(positions_and_limits);
     RUN(sides_of_casters);
+    RUN(casters_that_hide_nothing);
     return check_status();
 }

@@ -77,6 +77,17 @@ TEST(scene_files)
     }
 }
 
+/* Blocks of pixels that show one face: at lower resolutions most show several. */
+TEST(faces_larger_than_blocks)
+{
+    struct scene_file file;
+
+    CHECK_EQ(scene_open(&file, files[1], TIA_FORMAT_TIA, false), TIA_OK);
+    file.scene.shadows = TIA_SHADOWS_RAYS;
+    compare(files[1], 0, &file.scene, 640, 480, false);
+    scene_close(&file);
+}
+
 /* Makes some of the scene's materials mirrors or checkers, and its camera parallel, shifted, or of several samples. */
 static void vary(struct tia_scene *scene, unsigned i)
 {
@@ -171,6 +182,7 @@ static void run_all(const struct tia_simd *tested)
     random_state = 1;
 #define RUN_SIMD(test) ((void)snprintf(title, sizeof title, "%s: %s", tested->name, #test), check_run(title, test))
     RUN_SIMD(scene_files);
+    RUN_SIMD(faces_larger_than_blocks);
     RUN_SIMD(random_scenes_of_faces);
     RUN_SIMD(curved_shapes);
     RUN_SIMD(lights_move);

@@ -81,6 +81,35 @@ TEST(lights_between_techniques)
     CHECK_EQ(w->frames[3].light.x, ONE);
 }
 
+/* Of 48 rows, tiles have 16, or 48 where a hundred faces are set up for each of them: 32 pixels for each face. Of two
+ * workers, each gets 24 rows at most, rounded up to 32. */
+TEST(rows_of_tiles)
+{
+    static struct tia_face faces[100];
+    static const struct tia_vec3 vertices[3] = {TIA_VEC3(0, 0, 0), TIA_VEC3(1, 0, 0), TIA_VEC3(0, 1, 0)};
+    static const struct tia_mesh mesh = {.vertices = vertices, .vertex_count = 3, .faces = faces, .face_count = 100};
+    static const struct tia_shape one = {.kind = TIA_MESH};
+
+    for (int i = 0; i < 300; i++)
+        faces[i / 3].corner[i % 3] = (struct tia_corner){(uint32_t)(i % 3), TIA_NO_INDEX, TIA_NO_INDEX};
+    for (int i = 0; i < 5; i++) {
+        struct world *w = yard_world();
+        w->workers.count = i == 4 ? 2 : 0;
+        w->viewer.job.workers = &w->workers;
+        w->mode.width = WORLD_WIDTH;
+        w->mode.height = WORLD_HEIGHT;
+        w->viewer.pacing.frame_limit = 1;
+        w->tile_us = 300;
+        yard.meshes = &mesh;
+        yard.mesh_count = 1;
+        yard.shapes = i % 2 || i == 4 ? &one : shapes;
+        yard.shape_count = i % 2 || i == 4 ? 1 : 2;
+        yard.shadows = i / 2 ? TIA_SHADOWS_ZFAIL : TIA_SHADOWS_TRACED;
+        CHECK_EQ(world_play(w), TIA_OK);
+        CHECK_EQ(w->frames[0].told.draw_us, i == 4 ? 600 : i == 3 ? 300 : 900);
+    }
+}
+
 /* Without memory for a variant of the scene, the key quits like others. A key that the scene binds has the scene's
  * effect. */
 TEST(whose_key_it_is)
@@ -309,6 +338,7 @@ int main(void)
         techniques++;
     RUN(one_technique_after_the_other);
     RUN(lights_between_techniques);
+    RUN(rows_of_tiles);
     RUN(whose_key_it_is);
     RUN(what_only_rays_can_draw);
     RUN(a_light_moves_far_away);

@@ -8,7 +8,7 @@
 #include "acuity.h"
 #include "scene/cancel.h"
 
-#define VIEWER_STRIP 16    /* rows of a tile when the display sets no limit */
+#define VIEWER_STRIP 16    /* least number of rows of a tile when the display sets no limit */
 #define VIEWER_HELD_KEYS 6 /* largest number of held keys that repeat at the same time */
 
 #define VIEWER_PERIOD_US 16666 /* period of a display of 60 Hz */
@@ -40,6 +40,7 @@ struct viewer_more {
     int (*play)(struct loop *loop);
     bool (*is_moving)(const struct loop *loop);
     void (*gaze)(struct loop *loop);
+    unsigned (*strip_rows)(const struct loop *loop);
     uint64_t (*canvas_size)(const struct loop *loop, bool sums);
     void (*set_canvas)(struct loop *loop, void *memory, uint64_t size);
     bool (*refines)(const struct loop *loop);
@@ -273,6 +274,18 @@ int tia_viewer_go_on(struct loop *loop);
 int tia_viewer_prepare(struct loop *loop);
 /* Prepares a view of the current scene. */
 int tia_viewer_prepare_view(struct loop *loop);
+
+static inline unsigned viewer_workers(const struct loop *loop)
+{
+    const struct tia_workers *workers = loop->viewer->job.workers;
+
+    return workers && workers->count ? workers->count : 1;
+}
+
+/* ---- strips.c ---- */
+
+/* Returns the rows of a tile when the display sets no limit: a multiple of VIEWER_STRIP. */
+unsigned tia_viewer_strip_rows(const struct loop *loop);
 
 /* ---- tiles.c ---- */
 

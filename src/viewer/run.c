@@ -8,6 +8,7 @@ static const struct viewer_more more = {
     .play = tia_viewer_play,
     .is_moving = tia_viewer_is_moving,
     .gaze = tia_viewer_gaze,
+    .strip_rows = tia_viewer_strip_rows,
     .canvas_size = tia_viewer_canvas_size,
     .set_canvas = tia_viewer_set_canvas,
     .refines = tia_viewer_refines,

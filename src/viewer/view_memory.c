@@ -63,7 +63,7 @@ static bool get_most_memory(struct loop *loop)
 {
     struct tia_tile frame = {0, 0, loop->mode.width, loop->mode.height};
 
-    set_tiles(loop, VIEWER_STRIP);
+    set_tiles(loop, loop->more ? loop->more->strip_rows(loop) : VIEWER_STRIP);
     loop->last_us = 0;
     loop->whole = (loop->more && (get_memory(loop, frame, loop->more->canvas_size(loop, true)) ||
                                   get_memory(loop, frame, loop->more->canvas_size(loop, false)))) ||
@@ -79,11 +79,6 @@ static bool get_most_memory(struct loop *loop)
     return false;
 }
 
-static unsigned worker_count(const struct loop *loop)
-{
-    return loop->viewer->job.workers ? loop->viewer->job.workers->count : 1;
-}
-
 int tia_viewer_prepare(struct loop *loop)
 {
     loop->view_ready = loop->complete = false;
@@ -94,7 +89,7 @@ int tia_viewer_prepare(struct loop *loop)
     loop->view_size = loop->core->view_size(loop->core, loop->base, loop->viewer->lights.capacity);
     loop->simd_size = loop->viewer->simd && loop->core->simd_size
                           ? loop->core->simd_size(loop->core, loop->viewer->simd, loop->base,
-                                                  loop->viewer->lights.capacity, worker_count(loop))
+                                                  loop->viewer->lights.capacity, viewer_workers(loop))
                           : 0;
     return get_most_memory(loop) ? TIA_OK : TIA_ERR_MEMORY;
 }

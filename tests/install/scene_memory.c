@@ -79,8 +79,28 @@ static uint64_t now_us(void *ctx)
     return 0;
 }
 
+static void run_jobs(void *ctx, void (*job)(void *arg, unsigned index), void *arg, unsigned count)
+{
+    (void)ctx;
+    for (unsigned i = 0; i < count; i++)
+        job(arg, i);
+}
+
+static bool enter(void *ctx)
+{
+    (void)ctx;
+    return true;
+}
+
+static void leave(void *ctx)
+{
+    (void)ctx;
+}
+
+/* With so many workers, tiles have the least number of rows. */
 static size_t viewer_size(void)
 {
+    static const struct tia_workers workers = {run_jobs, enter, leave, NULL, 64};
     static const struct tia_display display = {.mode = mode, .acquire = acquire, .submit = submit, .present = present};
     static const struct tia_input input = {.poll = poll, .wait = wait_long};
     static const struct tia_clock clock = {now_us};
@@ -90,6 +110,7 @@ static size_t viewer_size(void)
     struct tia_viewer viewer = {.scene = &SCENE,
                                 .lights = {.array = lights, .detached = detached, .capacity = LIGHTS},
                                 .ports = {.display = &display, .input = &input, .clock = &clock},
+                                .job = {.workers = &workers},
                                 .hooks = {.memory = no_memory, .ctx = &asked}};
 
     (void)tia_viewer_run(&viewer);

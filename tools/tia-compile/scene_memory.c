@@ -142,8 +142,8 @@ static uint64_t copy_part(const struct layout *l, const struct tia_scene *scene)
 }
 
 /* Returns the size of the viewer's first request: a view, whole frames of hits, a canvas to refine pictures on
- * with the work of its tiles, and a copy of the moving arrays. A tile has the number of rows that it has for a display
- * without a limit. */
+ * with the work of its tiles, and a copy of the moving arrays. A tile has the least number of rows that it has for a
+ * display without a limit; with few threads, those of scenes with shadow techniques may have more. */
 static uint64_t viewer_size(const struct scene_memory *m, struct tia_tile frame, int kind)
 {
     enum { ROWS = 16, TILE_WORK = 24 };

@@ -17,7 +17,7 @@ enum { SPHERE_COST = 2, FACE_COST = 3, ROUND_COST = 5 };
 
 /* In large meshes a node of up to four faces is a leaf. Their trees take half of the memory; as this does not fit in
  * caches, rays do not take longer. */
-#define LARGE_LEAF 4
+#define LARGE_LEAF 4u
 
 /* Returns the largest number of boxes needed at the same time. */
 static uint64_t box_count(const struct tia_scene *scene)
@@ -65,7 +65,7 @@ static struct tia_bvh_tree build_mesh(struct bvh_space *space, const struct tia_
         (void)tia_bounds_with_margin(&wide, &space->boxes[i]);
         items[i] = i;
     }
-    const struct bvh_items all = {items, space->boxes, FACE_COST, mesh->face_count > BVH_LARGE_MESH ? LARGE_LEAF : 1};
+    const struct bvh_items all = {items, space->boxes, FACE_COST, mesh->face_count > BVH_LARGE_MESH ? LARGE_LEAF : 1u};
     return build(space, &all, mesh->face_count);
 }
 

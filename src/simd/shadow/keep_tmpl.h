@@ -140,7 +140,19 @@ static void keep_plain(const struct tia_map *map, const struct tia_map_plane *pl
         to[k] = tia_map_distance(map, plane, i + k, j);
 }
 
-/* Stores the distances of a plane at texels (i, j), (i + 1, j) ..., which `to` has LANES more of. */
+static void keep_same(uint32_t *to, uint32_t distance, int count)
+{
+    const vi both = (vi){0} + (int64_t)((uint64_t)distance << 32 | distance);
+
+    for (; count >= 2 * LANES; count -= 2 * LANES, to += 2 * LANES)
+        __builtin_memcpy(to, &both, sizeof both);
+    while (count-- > 0)
+        *to++ = distance;
+}
+
+/* Stores the distances of a plane at texels (i, j), (i + 1, j) ..., which `to` has LANES more of. Floors and walls
+ * often have one distance along the rows of a view. If it is a whole number, doubles cannot decide how it is rounded
+ * down. */
 static void keep_run(const struct tia_map *map, const struct tia_map_plane *plane, int i, int j, int count,
                      uint32_t *to)
 {
@@ -149,6 +161,10 @@ static void keep_run(const struct tia_map *map, const struct tia_map_plane *plan
     vi f, step = {0};
     vm none = vlt(vset(0), vset(0));
 
+    if (!plane->x) {
+        keep_same(to, tia_map_distance(map, plane, i, j), count);
+        return;
+    }
     if (!start_run(&r, map, plane, plane->c + plane->x * i + plane->y * j, count)) {
         keep_plain(map, plane, i, j, count, to);
         return;

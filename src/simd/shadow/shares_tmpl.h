@@ -53,7 +53,7 @@ struct spot_bounds {
     unsigned sure, square;
 };
 
-/* Fetches the texels of a lane's square; those of neighbouring points mostly share cache lines. */
+/* Fetches the texels of a lane's square. */
 static void fetch(const struct spot_map *s, const struct spot_bounds *b, int k)
 {
     const uint32_t *at = s->map->view[(int)b->number[k]].distance + (size_t)b->at[k];
@@ -74,10 +74,9 @@ LANE_OP void find_squares(const struct spot_map *s, const struct spot *spot, str
     one = mand(one, mand(vle(vset(0), vmin(i, j)), vle(vmax(i, j), last)));
     vstore(b->at, j * (double)s->map->size + i);
     b->square = s->side ? b->sure & mbits(one) : 0;
-    if (b->square) {
-        fetch(s, b, __builtin_ctz(b->square));
-        fetch(s, b, 31 - __builtin_clz(b->square));
-    }
+    if (b->square)
+        for (unsigned left = b->square; left; left &= left - 1)
+            fetch(s, b, __builtin_ctz(left));
 }
 
 static void find_bounds(const struct spot_map *s, const struct lit_face *face, int x, int y, struct spot_bounds *b)
@@ -109,8 +108,9 @@ LANE_OP unsigned count_square(const uint32_t *at, unsigned size, unsigned side, 
 
     if (side == 3) {
         four rows[3];
-        for (unsigned y = 0; y < 3; y++)
-            __builtin_memcpy(&rows[y], at + y * (size_t)size, sizeof rows[y]);
+        __builtin_memcpy(&rows[0], at, sizeof rows[0]);
+        __builtin_memcpy(&rows[1], at + size, sizeof rows[1]);
+        __builtin_memcpy(&rows[2], at + 2 * (size_t)size, sizeof rows[2]);
         four sum = (four)(rows[0] >= least) + (four)(rows[1] >= least) + (four)(rows[2] >= least);
         return 0 - (sum[0] + sum[1] + sum[2]);
     }
