@@ -7,6 +7,7 @@
 #define tia_polygon_rows halves_polygon_rows
 #define tia_depth_scale_init halves_depth_scale_init
 #define tia_depth_run halves_depth_run
+#define tia_depth_part halves_depth_part
 #define tia_depth_at halves_depth_at
 #define tia_depth_plane halves_depth_plane
 #define tia_depth_order halves_depth_order

@@ -16,9 +16,15 @@ static int64_t cut_at(const struct polygon *p, int x, int y)
                      : wide_cut(wide_form_at(&p->of.wide_forms.plane, x, y), p->depth.cut);
 }
 
+/* Returns -1 or 1 if nearness is clamped at its least or its most, 0 if it is not. */
+static int side_of(const struct depth_scale *d, int64_t cut)
+{
+    return (cut > d->most) - (cut < d->least);
+}
+
 static bool is_clamped(const struct depth_scale *d, int64_t cut)
 {
-    return cut < d->least || cut > d->most;
+    return side_of(d, cut) != 0;
 }
 
 static int64_t times_scale(const struct depth_scale *d, int64_t cut)
@@ -105,6 +111,26 @@ struct depth_run tia_depth_run(const struct polygon *p, int y, int x0, int x1)
     bool steady = !is_clamped(&p->depth, first) && !is_clamped(&p->depth, last);
 
     return (struct depth_run){(uint64_t)scaled(&p->depth, first), (uint64_t)p->depth.step, steady};
+}
+
+/* As nearness is linear, its sides are in order along the row. */
+int tia_depth_part(const struct polygon *p, int y, int x0, int x1, struct depth_run *run)
+{
+    const struct depth_scale *d = &p->depth;
+    int64_t first = cut_at(p, x0, y);
+    int side = side_of(d, first), same = x0, end = x1 - 1;
+
+    *run = (struct depth_run){(uint64_t)scaled(d, first), side ? 0 : (uint64_t)d->step, true};
+    if (side_of(d, cut_at(p, end, y)) == side)
+        return x1;
+    while (end - same > 1) {
+        int middle = same + (end - same) / 2;
+        if (side_of(d, cut_at(p, middle, y)) == side)
+            same = middle;
+        else
+            end = middle;
+    }
+    return end;
 }
 
 static struct wide_form plane_of(const struct polygon *p)

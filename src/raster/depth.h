@@ -32,6 +32,10 @@ void tia_depth_plane(const struct polygon *p, struct tia_raster_plane *plane);
 /* Returns nearness along the covered pixels x0..x1-1 of row y. */
 struct depth_run tia_depth_run(const struct polygon *p, int y, int x0, int x1);
 
+/* Gives nearness along the first of these pixels, of which all or none are clamped, at one end of the range. Returns
+ * the first pixel that is not one of them, or x1. */
+int tia_depth_part(const struct polygon *p, int y, int x0, int x1, struct depth_run *run);
+
 /* Returns the result of tia_depth_run, in the most frequent case without a call. A narrow polygon is never
  * orthographic, so its nearness is 0 where f is 0. */
 static inline struct depth_run depth_run(const struct polygon *p, int y, int x0, int x1)

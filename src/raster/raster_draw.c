@@ -177,22 +177,29 @@ static bool is_nearer(const void *ctx, size_t at)
     return order_of_planes(job, x, y, there) > 0;
 }
 
+/* Draws a run whose nearness is clamped in parts. */
+static void draw_parts(const struct job *job, raster_run_kernel *draw, int y, int x0, int x1)
+{
+    struct raster_polygon shared = job->shared;
+
+    for (int x = x0, end; x < x1; x = end) {
+        struct depth_run run;
+        end = tia_depth_part(job->polygon, y, x, x1, &run);
+        shared.step = run.step;
+        draw(&shared, target_index(job->target, x, y), end - x, run.z);
+    }
+}
+
 /* Draws depth alone, keeping the nearest face. */
 static void nearest_run(void *ctx, int y, int x0, int x1)
 {
     const struct job *job = ctx;
     struct depth_run run = depth_run(job->polygon, y, x0, x1);
-    size_t at = target_index(job->target, x0, y);
 
-    if (run.steady) {
-        job->runs->nearest(&job->shared, at, x1 - x0, run.z);
-        return;
-    }
-    for (int x = x0; x < x1; x++, at++) {
-        int64_t z = tia_depth_at(job->polygon, x, y);
-        if (order_at(job, z, x, y, at) > 0)
-            put_depth(job, z, at);
-    }
+    if (run.steady)
+        job->runs->nearest(&job->shared, target_index(job->target, x0, y), x1 - x0, run.z);
+    else
+        draw_parts(job, job->runs->nearest, y, x0, x1);
 }
 
 static inline void count_one(const struct job *job, size_t at)
@@ -212,8 +219,11 @@ static void counting_run(void *ctx, int y, int x0, int x1)
     struct depth_run run = depth_run(job->polygon, y, x0, x1);
     size_t at = target_index(job->target, x0, y);
 
-    if (run.steady && job->target->count) {
-        job->runs->add(&job->shared, at, x1 - x0, run.z);
+    if (job->target->count) {
+        if (run.steady)
+            job->runs->add(&job->shared, at, x1 - x0, run.z);
+        else
+            draw_parts(job, job->runs->add, y, x0, x1);
         return;
     }
     for (int x = x0; x < x1; x++, at++, run.z += run.step) {
