@@ -181,9 +181,11 @@ static void open_block(struct shaft_block *b, struct tia_shadow_rays *rays)
         b->caster[i].face = b->face[i].face = TIA_NO_FACE;
 }
 
-TEST(sides_of_casters)
+/* Checks random blocks of up to so many columns and rows, a visible face and a caster. Returns how many are special. */
+static unsigned long try_blocks(void (*check)(struct shaft_block *, uint32_t, uint32_t, unsigned long *), int columns,
+                                int rows)
 {
-    unsigned long open = 0;
+    unsigned long special = 0;
 
     all = 0;
     for (int round = 0; round < WORLDS; round++) {
@@ -194,13 +196,20 @@ TEST(sides_of_casters)
         for (int n = 0; n < POINTS; n++) {
             b.x0 = (int)(random_bits() % 80);
             b.y0 = (int)(random_bits() % 60);
-            b.x1 = b.x0 + 1;
-            b.y1 = b.y0 + 1;
-            check_side(&b, (uint32_t)(random_bits() % w.flat.face_count), (uint32_t)(random_bits() % w.flat.face_count),
-                       &open);
+            b.x1 = b.x0 + 1 + (int)(random_bits() % (unsigned)columns);
+            b.y1 = b.y0 + 1 + (int)(random_bits() % (unsigned)rows);
+            check(&b, (uint32_t)(random_bits() % w.flat.face_count), (uint32_t)(random_bits() % w.flat.face_count),
+                  &special);
         }
         unmake();
     }
+    return special;
+}
+
+TEST(sides_of_casters)
+{
+    unsigned long open = try_blocks(check_side, 1, 1);
+
     CHECK_MSG(all > WORLDS && open * 20 < all, "%lu of %lu are open", open, all);
 }
 
@@ -241,24 +250,8 @@ static void check_block(struct shaft_block *b, uint32_t face, uint32_t caster, u
 
 TEST(casters_that_hide_nothing)
 {
-    unsigned long given_up = 0;
+    unsigned long given_up = try_blocks(check_block, SHAFT_COLUMNS, SHAFT_ROWS);
 
-    all = 0;
-    for (int round = 0; round < WORLDS; round++) {
-        make_world(round);
-        struct tia_shadow_rays rays;
-        struct shaft_block b;
-        open_block(&b, &rays);
-        for (int n = 0; n < POINTS; n++) {
-            b.x0 = (int)(random_bits() % 80);
-            b.y0 = (int)(random_bits() % 60);
-            b.x1 = b.x0 + 1 + (int)(random_bits() % SHAFT_COLUMNS);
-            b.y1 = b.y0 + 1 + (int)(random_bits() % SHAFT_ROWS);
-            check_block(&b, (uint32_t)(random_bits() % w.flat.face_count),
-                        (uint32_t)(random_bits() % w.flat.face_count), &given_up);
-        }
-        unmake();
-    }
     CHECK_MSG(all > WORLDS && given_up * 2 > all, "%lu of %lu are given up", given_up, all);
 }
 

@@ -177,16 +177,20 @@ static bool is_nearer(const void *ctx, size_t at)
     return order_of_planes(job, x, y, there) > 0;
 }
 
-/* Draws a run whose nearness is clamped in parts. */
-static void draw_parts(const struct job *job, raster_run_kernel *draw, int y, int x0, int x1)
+/* Draws a run whose nearness is clamped in parts; `counting`: of a face of a shadow volume. */
+static void draw_parts(const struct job *job, bool counting, int y, int x0, int x1)
 {
     struct raster_polygon shared = job->shared;
 
     for (int x = x0, end; x < x1; x = end) {
+        size_t at = target_index(job->target, x, y);
         struct depth_run run;
         end = tia_depth_part(job->polygon, y, x, x1, &run);
         shared.step = run.step;
-        draw(&shared, target_index(job->target, x, y), end - x, run.z);
+        if (counting)
+            job->runs->add(&shared, at, end - x, run.z);
+        else
+            job->runs->nearest(&shared, at, end - x, run.z);
     }
 }
 
@@ -199,37 +203,25 @@ static void nearest_run(void *ctx, int y, int x0, int x1)
     if (run.steady)
         job->runs->nearest(&job->shared, target_index(job->target, x0, y), x1 - x0, run.z);
     else
-        draw_parts(job, job->runs->nearest, y, x0, x1);
+        draw_parts(job, false, y, x0, x1);
 }
 
-static inline void count_one(const struct job *job, size_t at)
-{
-    const struct tia_raster_target *t = job->target;
-
-    if (t->count)
-        t->count[at] += job->shared.one;
-    else
-        t->stencil[at] = (uint8_t)(t->stencil[at] + job->shared.one);
-}
-
-/* Draws a face of a shadow volume. */
+/* Draws a face of a shadow volume. Targets count in words, or in their stencils. */
 static void counting_run(void *ctx, int y, int x0, int x1)
 {
     const struct job *job = ctx;
+    const struct tia_raster_target *t = job->target;
     struct depth_run run = depth_run(job->polygon, y, x0, x1);
-    size_t at = target_index(job->target, x0, y);
+    size_t at = target_index(t, x0, y);
 
-    if (job->target->count) {
-        if (run.steady)
-            job->runs->add(&job->shared, at, x1 - x0, run.z);
-        else
-            draw_parts(job, job->runs->add, y, x0, x1);
-        return;
-    }
-    for (int x = x0; x < x1; x++, at++, run.z += run.step) {
+    if (t->count && run.steady)
+        job->runs->add(&job->shared, at, x1 - x0, run.z);
+    if (t->count && !run.steady)
+        draw_parts(job, true, y, x0, x1);
+    for (int x = x0; x < x1 && !t->count; x++, at++, run.z += run.step) {
         int64_t z = run.steady ? (int64_t)run.z : tia_depth_at(job->polygon, x, y);
         if ((order_at(job, z, x, y, at) > 0) == job->shared.nearer)
-            count_one(job, at);
+            t->stencil[at] = (uint8_t)(t->stencil[at] + job->shared.one);
     }
 }
 

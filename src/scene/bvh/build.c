@@ -15,8 +15,8 @@
  * takes about twice as many instructions as a visit, a triangle three times, a cylinder or cone five times. */
 enum { SPHERE_COST = 2, FACE_COST = 3, ROUND_COST = 5 };
 
-/* In large meshes a node of up to four faces is a leaf. Their trees take half of the memory; as this does not fit in
- * caches, rays do not take longer. */
+/* In large meshes a node of up to four faces is a leaf, which halves the memory of their trees. As these fit in no
+ * cache either way, rays do not take longer. */
 #define LARGE_LEAF 4u
 
 /* Returns the largest number of boxes needed at the same time. */
