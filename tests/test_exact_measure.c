@@ -6,6 +6,7 @@
 #include "check.h"
 #include "common/corpus/corpus.h"
 #include "common/corpus/exact_measure.h"
+#include "workers_in_turn.h"
 
 enum { W = 61, H = 37, BROKEN_X = 41, BROKEN_Y = 23 };
 
@@ -20,25 +21,8 @@ static int draw_broken(const struct tia_view *view, struct tia_hits *hits, struc
     return status;
 }
 
-static void run_jobs(void *ctx, void (*job)(void *arg, unsigned index), void *arg, unsigned count)
-{
-    (void)ctx;
-    for (unsigned i = 0; i < count; i++)
-        job(arg, i);
-}
-
-static bool enter(void *ctx)
-{
-    (void)ctx;
-    return true;
-}
-
-static void leave(void *ctx)
-{
-    (void)ctx;
-}
-
-static const struct tia_workers workers = {.run = run_jobs, .enter = enter, .leave = leave, .count = 1};
+static const struct tia_workers workers = {
+    .run = run_in_turn, .enter = enter_in_turn, .leave = leave_in_turn, .count = 1};
 
 /* Measures key a's frame with plain C and, last, with a core that breaks a pixel; returns the number of drawers. */
 static unsigned measure_broken(uint32_t step, struct exact_tally *tally)

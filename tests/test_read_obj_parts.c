@@ -1,5 +1,6 @@
 /* src/read/obj/parts.c: several threads read the same scene, and find the same mistakes, as one. */
 #include "obj_files.h"
+#include "workers_in_turn.h"
 
 #include <limits.h>
 
@@ -18,18 +19,7 @@ static void run(void *ctx, void (*job)(void *arg, unsigned index), void *arg, un
         job(arg, count);
 }
 
-static bool enter(void *ctx)
-{
-    (void)ctx;
-    return true;
-}
-
-static void leave(void *ctx)
-{
-    (void)ctx;
-}
-
-static const struct tia_workers workers = {.run = run, .enter = enter, .leave = leave, .count = PARTS};
+static const struct tia_workers workers = {.run = run, .enter = enter_in_turn, .leave = leave_in_turn, .count = PARTS};
 
 /* ---- equal scenes ---- */
 

@@ -147,12 +147,21 @@ static void check_sums(const struct shaft_block *b, const struct shaft_caster *c
     }
 }
 
+/* True if the caster hides the light from a point of the face's plane. */
+static bool hides_at(uint32_t caster, uint32_t face, int x, int y, struct tia_occluder *occluder, struct tia_seen *seen)
+{
+    struct tia_seen_face of;
+
+    tia_seen_face_init(&of, &view.flat, face);
+    tia_seen_init(seen, &of, x, y);
+    return tia_occluder_init(occluder, &view.flat, &w.at, caster) && tia_occluder_hides(occluder, seen);
+}
+
 static void check_side(struct shaft_block *b, uint32_t face, uint32_t caster, unsigned long *open)
 {
     const struct shaft_face *own = shaft_face_of(b, face);
     double error[PLANES] = {-1, -1, -1, -1, -1};
     struct tia_occluder occluder;
-    struct tia_seen_face of;
     struct tia_seen seen;
     unsigned unsure = 0;
 
@@ -162,9 +171,7 @@ static void check_side(struct shaft_block *b, uint32_t face, uint32_t caster, un
     set_run(b, own, b->y0, b->x0, b->x0 + 1);
     struct shaft_caster *c = caster_of(b, caster);
     bool hidden = hidden_lanes(b, c, error, b->x0, b->y0, 1, &unsure);
-    tia_seen_face_init(&of, &view.flat, face);
-    tia_seen_init(&seen, &of, b->x0, b->y0);
-    bool want = tia_occluder_init(&occluder, &view.flat, &w.at, caster) && tia_occluder_hides(&occluder, &seen);
+    bool want = hides_at(caster, face, b->x0, b->y0, &occluder, &seen);
     check_sums(b, c, &occluder, &seen);
     all++;
     *open += unsure != 0;
@@ -213,23 +220,13 @@ TEST(sides_of_casters)
     CHECK_MSG(all > WORLDS && open * 20 < all, "%lu of %lu are open", open, all);
 }
 
-/* True if the caster hides the light from a point of the face's plane. */
-static bool hides_at(uint32_t caster, uint32_t face, int x, int y)
-{
-    struct tia_occluder occluder;
-    struct tia_seen_face of;
-    struct tia_seen seen;
-
-    tia_seen_face_init(&of, &view.flat, face);
-    tia_seen_init(&seen, &of, x, y);
-    return tia_occluder_init(&occluder, &view.flat, &w.at, caster) && tia_occluder_hides(&occluder, &seen);
-}
-
 /* Checks that a caster that is given up for a block hides the light from none of its corners. */
 static void check_block(struct shaft_block *b, uint32_t face, uint32_t caster, unsigned long *given_up)
 {
     const struct shaft_face *own = shaft_face_of(b, face);
-    double error[PLANES];
+    double error[PLANES] = {-1, -1, -1, -1, -1};
+    struct tia_occluder occluder;
+    struct tia_seen seen;
 
     if (!own->turned || !own->known || face == caster)
         return;
@@ -244,7 +241,8 @@ static void check_block(struct shaft_block *b, uint32_t face, uint32_t caster, u
     *given_up += 1;
     for (int i = 0; i < 4; i++) {
         int x = i % 2 ? b->x1 - 1 : b->x0, y = i / 2 ? b->y1 - 1 : b->y0;
-        CHECK_MSG(!hides_at(caster, face, x, y), "face %u, caster %u, pixel (%d, %d)", face, caster, x, y);
+        CHECK_MSG(!hides_at(caster, face, x, y, &occluder, &seen), "face %u, caster %u, pixel (%d, %d)", face, caster,
+                  x, y);
     }
 }
 

@@ -177,20 +177,20 @@ static bool is_nearer(const void *ctx, size_t at)
     return order_of_planes(job, x, y, there) > 0;
 }
 
-/* Draws a run whose nearness is clamped in parts; `counting`: of a face of a shadow volume. */
-static void draw_parts(const struct job *job, bool counting, int y, int x0, int x1)
+/* Draws a run by one of job->runs; in parts where nearness is clamped. */
+static void kernel_run(const struct job *job, raster_run_kernel *draw, int y, int x0, int x1)
 {
-    struct raster_polygon shared = job->shared;
+    struct depth_run run = depth_run(job->polygon, y, x0, x1);
 
+    if (run.steady) {
+        draw(&job->shared, target_index(job->target, x0, y), x1 - x0, run.z);
+        return;
+    }
+    struct raster_polygon part = job->shared;
     for (int x = x0, end; x < x1; x = end) {
-        size_t at = target_index(job->target, x, y);
-        struct depth_run run;
         end = tia_depth_part(job->polygon, y, x, x1, &run);
-        shared.step = run.step;
-        if (counting)
-            job->runs->add(&shared, at, end - x, run.z);
-        else
-            job->runs->nearest(&shared, at, end - x, run.z);
+        part.step = run.step;
+        draw(&part, target_index(job->target, x, y), end - x, run.z);
     }
 }
 
@@ -198,30 +198,30 @@ static void draw_parts(const struct job *job, bool counting, int y, int x0, int 
 static void nearest_run(void *ctx, int y, int x0, int x1)
 {
     const struct job *job = ctx;
-    struct depth_run run = depth_run(job->polygon, y, x0, x1);
 
-    if (run.steady)
-        job->runs->nearest(&job->shared, target_index(job->target, x0, y), x1 - x0, run.z);
-    else
-        draw_parts(job, false, y, x0, x1);
+    kernel_run(job, job->runs->nearest, y, x0, x1);
 }
 
-/* Draws a face of a shadow volume. Targets count in words, or in their stencils. */
+/* Draws a face of a shadow volume, with counts in words. */
 static void counting_run(void *ctx, int y, int x0, int x1)
 {
     const struct job *job = ctx;
-    const struct tia_raster_target *t = job->target;
-    struct depth_run run = depth_run(job->polygon, y, x0, x1);
-    size_t at = target_index(t, x0, y);
 
-    if (t->count && run.steady)
-        job->runs->add(&job->shared, at, x1 - x0, run.z);
-    if (t->count && !run.steady)
-        draw_parts(job, true, y, x0, x1);
-    for (int x = x0; x < x1 && !t->count; x++, at++, run.z += run.step) {
+    kernel_run(job, job->runs->add, y, x0, x1);
+}
+
+/* Draws a face of a shadow volume, with counts in the stencil. */
+static void stencil_run(void *ctx, int y, int x0, int x1)
+{
+    const struct job *job = ctx;
+    struct depth_run run = depth_run(job->polygon, y, x0, x1);
+    size_t at = target_index(job->target, x0, y);
+    uint8_t *stencil = job->target->stencil;
+
+    for (int x = x0; x < x1; x++, at++, run.z += run.step) {
         int64_t z = run.steady ? (int64_t)run.z : tia_depth_at(job->polygon, x, y);
         if ((order_at(job, z, x, y, at) > 0) == job->shared.nearer)
-            t->stencil[at] = (uint8_t)(t->stencil[at] + job->shared.one);
+            stencil[at] = (uint8_t)(stencil[at] + job->shared.one);
     }
 }
 
@@ -302,8 +302,9 @@ int tia_raster_draw(struct tia_raster_target *target, const struct tia_raster_st
     share(&job);
     tia_polygon_rows(&p,
                      is_depth_alone(target, state) ? nearest_run
-                     : is_counting(&job)           ? counting_run
-                                                   : general_run,
+                     : !is_counting(&job)          ? general_run
+                     : target->count               ? counting_run
+                                                   : stencil_run,
                      &job);
     return TIA_OK;
 }

@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <tia/tia.h>
 
+#include "../workers_in_turn.h"
+
 extern const struct tia_scene SCENE;
 
 #define JOIN2(a, b) a##b
@@ -79,28 +81,10 @@ static uint64_t now_us(void *ctx)
     return 0;
 }
 
-static void run_jobs(void *ctx, void (*job)(void *arg, unsigned index), void *arg, unsigned count)
-{
-    (void)ctx;
-    for (unsigned i = 0; i < count; i++)
-        job(arg, i);
-}
-
-static bool enter(void *ctx)
-{
-    (void)ctx;
-    return true;
-}
-
-static void leave(void *ctx)
-{
-    (void)ctx;
-}
-
 /* With so many workers, tiles have the least number of rows. */
 static size_t viewer_size(void)
 {
-    static const struct tia_workers workers = {run_jobs, enter, leave, NULL, 64};
+    static const struct tia_workers workers = {run_in_turn, enter_in_turn, leave_in_turn, NULL, 64};
     static const struct tia_display display = {.mode = mode, .acquire = acquire, .submit = submit, .present = present};
     static const struct tia_input input = {.poll = poll, .wait = wait_long};
     static const struct tia_clock clock = {now_us};

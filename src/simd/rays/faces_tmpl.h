@@ -16,7 +16,7 @@ LANE_OP void meet_lanes_of(const struct sure_tree *tree, const struct sure_flat 
     double at[3];
 
     if (lanes & ~inside) {
-        const struct sure_face whole = sure_face_of(tree, face);
+        const struct sure_face whole = sure_face_from(tree, face, f);
         sides = face_sides(q->p, &q->lines->line, &whole);
     }
     sure_corner(at, &f->corner);

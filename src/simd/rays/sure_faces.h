@@ -19,11 +19,9 @@ static inline const struct sure_flat *sure_flat_of(const struct sure_tree *tree,
     return room;
 }
 
-/* Returns a face of a mesh. */
-static inline struct sure_face sure_face_of(const struct sure_tree *tree, uint32_t face)
+/* Returns a face of a mesh, of which `from` is stored or computed. */
+static inline struct sure_face sure_face_from(const struct sure_tree *tree, uint32_t face, const struct sure_flat *from)
 {
-    struct sure_flat room;
-    const struct sure_flat *from = sure_flat_of(tree, face, &room);
     const struct tia_corner *corner = tree->mesh->faces[face].corner;
     struct sure_face f;
 
@@ -34,6 +32,14 @@ static inline struct sure_face sure_face_of(const struct sure_tree *tree, uint32
     f.any = from->extent > 0;
     f.extent = __builtin_fabs((double)from->extent);
     return f;
+}
+
+/* Returns a face of a mesh. */
+static inline struct sure_face sure_face_of(const struct sure_tree *tree, uint32_t face)
+{
+    struct sure_flat room;
+
+    return sure_face_from(tree, face, sure_flat_of(tree, face, &room));
 }
 
 /* Returns a face's edges. Corners are multiples of 2^-16 and the centre is a multiple of 2^-17, so that only A x B is

@@ -96,13 +96,14 @@ static int set_points(struct shaft_block *b)
             if (*face == TIA_NO_FACE)
                 continue;
             const struct shaft_face *own = shaft_face_of(b, *face);
-            if (own->turned && !runs)
+            if (!own->turned)
+                continue;
+            b->only = !runs || (b->only && own->face == b->seen.face);
+            if (!runs++)
                 b->seen = *own;
-            b->only = !runs || (b->only && (!own->turned || own->face == b->seen.face));
-            runs += own->turned;
-            if (own->turned && own->known)
+            if (own->known)
                 set_run(b, own, y, x, x + count);
-            for (int i = x; i < x + count && own->turned && !own->known; i++)
+            for (int i = x; i < x + count && !own->known; i++)
                 tia_shadow_rays_pixel(b->rays, i, y);
         }
     }

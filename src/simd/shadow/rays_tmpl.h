@@ -68,6 +68,16 @@ static double error_of(const struct shaft_block *b, const struct shaft_caster *c
     return BOUND(RAY_SIDE) * (size + magnitude(c->m[k]) * b->sum) + BOUND_OF(RAY_CUT, c->unit[k] * (b->x1 + b->y1));
 }
 
+/* Returns the error of a plane, which is prepared; `error` has those that are known, and -1 for others. */
+LANE_OP double plane_error(struct shaft_block *b, struct shaft_caster *c, double error[PLANES], unsigned k)
+{
+    if (k >= c->ready)
+        make_ready(b, c, c->planes);
+    if (error[k] < 0)
+        error[k] = error_of(b, c, k);
+    return error[k];
+}
+
 /* Returns the lanes of `open` from whose points a caster hides the light; *unsure receives those for which the integers
  * must decide. */
 LANE_OP unsigned hidden_lanes(struct shaft_block *b, struct shaft_caster *c, double error[PLANES], int x, int y,
@@ -77,13 +87,10 @@ LANE_OP unsigned hidden_lanes(struct shaft_block *b, struct shaft_caster *c, dou
     unsigned maybe = open, sure = open;
 
     for (unsigned k = 0; k < c->planes && maybe; k++) {
-        if (k >= c->ready)
-            make_ready(b, c, c->planes);
-        if (error[k] < 0)
-            error[k] = error_of(b, c, k);
+        double e = plane_error(b, c, error, k);
         vd side = (c->x[k] * column + (c->y[k] * y + c->c[k])) - c->m[k] * s;
-        maybe &= mbits(vlt(vset(-error[k]), side));
-        sure &= mbits(vlt(vset(error[k]), side));
+        maybe &= mbits(vlt(vset(-e), side));
+        sure &= mbits(vlt(vset(e), side));
     }
     *unsure = maybe & ~sure;
     return maybe & sure;
@@ -105,12 +112,8 @@ static bool hides_nothing(struct shaft_block *b, struct shaft_caster *c, double 
 {
     bool beyond = false;
 
-    for (unsigned k = 0; k < c->planes && !beyond && b->only; k++) {
-        if (k >= c->ready)
-            make_ready(b, c, c->planes);
-        error[k] = error_of(b, c, k);
-        beyond = is_beyond(b, c, k, error[k]);
-    }
+    for (unsigned k = 0; k < c->planes && !beyond && b->only; k++)
+        beyond = is_beyond(b, c, k, plane_error(b, c, error, k));
     return beyond || !c->planes;
 }
 

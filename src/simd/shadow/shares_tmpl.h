@@ -74,9 +74,8 @@ LANE_OP void find_squares(const struct spot_map *s, const struct spot *spot, str
     one = mand(one, mand(vle(vset(0), vmin(i, j)), vle(vmax(i, j), last)));
     vstore(b->at, j * (double)s->map->size + i);
     b->square = s->side ? b->sure & mbits(one) : 0;
-    if (b->square)
-        for (unsigned left = b->square; left; left &= left - 1)
-            fetch(s, b, __builtin_ctz(left));
+    for (unsigned left = b->square; left; left &= left - 1)
+        fetch(s, b, __builtin_ctz(left));
 }
 
 static void find_bounds(const struct spot_map *s, const struct lit_face *face, int x, int y, struct spot_bounds *b)
