@@ -88,6 +88,17 @@ TEST(faces_larger_than_blocks)
     scene_close(&file);
 }
 
+/* Makes a point light a disc or a rectangle, which some points may be close to. */
+static void widen(struct tia_light *light, unsigned i)
+{
+    light->kind = i % 2 ? TIA_RECTANGLE_LIGHT : TIA_DISC_LIGHT;
+    light->samples = (uint16_t)(1 + i % 13);
+    light->radius = flat_between(.1, 3, 65536);
+    light->direction = (struct tia_dir3){flat_between(-.5, .5, 1 << 30), -(1 << 29) - (1 << 28), 1 << 28};
+    light->side[0] = (struct tia_vec3){flat_between(.1, 3, 65536), 0, flat_between(-2, 2, 65536)};
+    light->side[1] = (struct tia_vec3){0, flat_between(.1, 3, 65536), flat_between(-.5, .5, 65536)};
+}
+
 /* Makes some of the scene's materials mirrors or checkers, and its camera parallel, shifted, or of several samples. */
 static void vary(struct tia_scene *scene, unsigned i)
 {
@@ -105,6 +116,9 @@ static void vary(struct tia_scene *scene, unsigned i)
     flat_materials[3].facing = flat_colour(i % 3 ? 0 : .4);
     flat_lights[0].quadratic = i % 5 ? 0 : 3000;
     flat_lights[0].radius = i % 7 ? 0 : TIA_Q16(1);
+    for (unsigned n = 0; n < 2 && n < scene->light_count; n++)
+        if ((i + n) % 3 == 0)
+            widen(&flat_lights[n], i / 2);
     scene->depth = 3;
     scene->camera.samples = i % 6 == 5 ? 4 : 1;
     if (i % 5 == 1) {

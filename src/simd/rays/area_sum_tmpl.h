@@ -41,7 +41,7 @@ static void area_terms_of(const struct area *a, const struct shade *h, unsigned 
     t->half = affine_of(a->axes, a->way, mirror);
     t->elambert = area_lambert_error(a, h);
     t->eabove = area_above_error(a, h);
-    t->eaway = vmax(t->eabove, BOUND_OF(AREA_LEAVING, 2 * (h->eg + a->eout + BOUND(COSINE) + BOUND(AREA_COSINE))));
+    t->eaway = t->eabove;
     t->ehalf = BOUND_OF(HIGHLIGHT_COSINE, BOUND_OF(HIGHLIGHT_FACING, 2 * (h->efacing + t->elambert)) + a->eto + h->ev +
                                               BOUND(HIGHLIGHT_ROUNDING)) +
                BOUND(AREA_COSINE);
@@ -50,7 +50,8 @@ static void area_terms_of(const struct area *a, const struct shade *h, unsigned 
         t->faint = exp2_of(vset(-AREA_FAINT_BITS) / vsel(t->glossy, h->exponent, vset(1)));
 }
 
-/* Finds the lanes whose surface is certainly turned to the sample; others are dark or undecided. */
+/* Finds the lanes whose surface is certainly turned to the sample, from points `bias` above it as well; others are dark
+ * or undecided. */
 LANE_OP void find_turned(const struct area_terms *t, double bias, vm lanes, struct area_sample *s, struct area_sum *sum)
 {
     vd height = affine_at(&t->above, s->x, s->y), above = height * s->inverse;
@@ -236,6 +237,19 @@ LANE_OP void area_place(const struct sure_light *l, struct area_places *p, unsig
     }
 }
 
+/* Adds a sample's light. `channels`: 1 if all light arrives alike; then only the first cosine is added. */
+LANE_OP void add_to_sum(const struct area_terms *t, const struct area_sample *s, int channels, struct area_sum *sum)
+{
+    vd cosine = vsel(s->lit, s->cosine, vset(0));
+
+    if (any(t->glossy))
+        add_shine(t, s, sum);
+    for (int c = 0; c < channels; c++)
+        sum->lambert[c] = sum->lambert[c] + cosine * s->through[c];
+    sum->count = sum->count + vsel(s->lit, vset(1), vset(0));
+    sum->filters = sum->filters + vsel(s->lit, s->filters, vset(0));
+}
+
 /* Sums over all samples of the light, each for all points at once. `clear`: nothing is listed. */
 LANE_OP void sum_samples(const struct sure_scene *scene, const struct shaft *f, struct shadow *shadow,
                          const uint8_t class[LANES], bool clear, struct area_sum *result)
@@ -247,6 +261,8 @@ LANE_OP void sum_samples(const struct sure_scene *scene, const struct shaft *f, 
     struct area_sum sum = {.unsure = mnone()};
 
     area_terms_of(f->area, f->shade, lanes, &t);
+    t.eaway =
+        vmax(t.eabove, BOUND_OF(AREA_LEAVING, 2 * (f->shade->eg + f->area->eout + BOUND(COSINE) + BOUND(AREA_COSINE))));
     area_places_of(l, class, lanes, &places);
     for (unsigned i = 0; i < l->from->samples; i++) {
         struct area_sample s = {.through = {vset(1), vset(1), vset(1)}, .filters = vset(0)};
@@ -258,13 +274,7 @@ LANE_OP void sum_samples(const struct sure_scene *scene, const struct shaft *f, 
             pass_balls(f, &s, &sum);
         if (!clear && f->others && any(s.lit))
             pass_others(scene, f, shadow, &s, &sum);
-        if (any(t.glossy))
-            add_shine(&t, &s, &sum);
-        s.cosine = vsel(s.lit, s.cosine, vset(0));
-        for (int c = 0; c < (clear ? 1 : 3); c++)
-            sum.lambert[c] = sum.lambert[c] + s.cosine * s.through[c];
-        sum.count = sum.count + vsel(s.lit, vset(1), vset(0));
-        sum.filters = sum.filters + vsel(s.lit, s.filters, vset(0));
+        add_to_sum(&t, &s, clear ? 1 : 3, &sum);
     }
     if (clear)
         sum.lambert[1] = sum.lambert[2] = sum.lambert[0];

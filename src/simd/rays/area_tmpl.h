@@ -1,9 +1,9 @@
 /* area_tmpl.h - an area light as a whole: what holds for all of its samples, and numbers that are linear along its
  * axes.
  *
- * Parameters: the doubles of isa/isa.h. Defines: set_area(), turned_away(), area_lambert_error(), area_above_error(),
- * affine_of(), affine_at(), affine_reach(), square_of(), square_at(), inverse_root(), struct area, struct affine,
- * struct square.
+ * Parameters: the doubles of isa/isa.h. Defines: set_area(), set_area_seen(), is_plain_area(), turned_away(),
+ * area_lambert_error(), area_above_error(), affine_of(), affine_at(), affine_reach(), square_of(), square_at(),
+ * inverse_root(), struct area, struct affine, struct square.
  *
  * A sample S = L + x A + y B is at W + x A + y B from P, W = L - P. So its height over any plane through P is linear in
  * x and y, and the square of its distance is quadratic. A cosine takes a few operations and an inverse root in place of
@@ -36,6 +36,13 @@ struct area {
     double most;                 /* largest |x| and |y|; of a disc, largest |(x, y)| */
     bool disc;
 };
+
+/* True if the light can be taken as a whole: an area whose light neither fades nor has a cone. */
+LANE_OP bool is_plain_area(const struct sure_light *l)
+{
+    return tia_light_has(l->from->kind, TIA_LIGHT_AREA) && !tia_light_has(l->from->kind, TIA_LIGHT_CONE) &&
+           !l->from->fades && l->place;
+}
 
 LANE_OP struct affine affine_of(const struct v3 axes[2], struct v3 way, struct v3 n)
 {
@@ -95,26 +102,31 @@ LANE_OP vm turned_away(const struct area *a, const struct shade *h)
                 vlt(above.at + affine_reach(a, &above), -area_above_error(a, h) * (vsqrt(a->seen.at) + a->reach)));
 }
 
-/* Sets the errors. Those of the samples' vectors are as in sample_of() and aim_shadow(), for the largest coordinates.
- */
-LANE_OP void set_area_errors(const struct aim *aim, const struct shade *h, struct area *a)
+/* Returns the bound of the errors of the samples' places relative to the light, as in sample_of() for the largest
+ * coordinates. */
+LANE_OP vd area_place_error(const struct aim *aim, const struct area *a)
 {
-    vd near = vsqrt(vmin(a->seen.at, a->shadow.at)), size = v3_sum(a->axes[0]) + v3_sum(a->axes[1]);
-    vd out = v3_sum(a->out), e = BOUND_OF(SAMPLE_AREA, 2 * a->most * (aim->e + BOUND(SAMPLE_PLACE))) +
-                                 BOUND(SAMPLE_UNITS) + size * BOUND(SAMPLE_SIDES);
-    vd ew = BOUND_OF(SAMPLE_WAY, h->ep + (v3_sum(a->way) + v3_sum(h->point)) * BOUND(POINT_ROUNDING)) + e;
-    vd es = BOUND_OF(SHADOW_WAY, h->eoutside + (out + v3_sum(h->outside)) * BOUND(POINT_ROUNDING)) + e;
+    vd size = v3_sum(a->axes[0]) + v3_sum(a->axes[1]);
 
-    a->fine = mand(vlt(a->reach * BOUND(AREA_NEAR), near), vlt(vset(BOUND(AREA_LEAST)), near));
-    vd least = vsel(a->fine, near - a->reach, vset(1)), over = 1 / least;
-    a->fine = mand(a->fine, vlt(vmax(ew, es) * over, vset(1.0 / 16)));
-    a->eto = ew * over * BOUND(UNIT_CHORD) + BOUND(UNIT_ROUNDING);
-    a->eout = es * over * BOUND(UNIT_CHORD) + BOUND(UNIT_ROUNDING);
-    a->apart = BOUND_OF(SHAFT_APART, h->eoutside + es) + (out + size) * BOUND(SHAFT_ROUNDING) + BOUND(SHAFT_UNITS);
+    return BOUND_OF(SAMPLE_AREA, 2 * a->most * (aim->e + BOUND(SAMPLE_PLACE))) + BOUND(SAMPLE_UNITS) +
+           size * BOUND(SAMPLE_SIDES);
 }
 
-static __attribute__((noinline)) void set_area(const struct sure_light *l, const struct aim *aim, const struct shade *h,
-                                               struct area *a)
+/* Returns the bound of the errors of directions to the samples, given the square of the distance of the light's centre
+ * and the bound of the vectors' errors. Clears `fine` in the lanes that are too close or too uncertain. */
+LANE_OP vd area_direction_error(struct area *a, vd square, vd e)
+{
+    vd near = vsqrt(square);
+    vm fine = mand(vlt(a->reach * BOUND(AREA_NEAR), near), vlt(vset(BOUND(AREA_LEAST)), near));
+    vd relative = e / vsel(fine, near - a->reach, vset(1));
+
+    a->fine = mand(a->fine, mand(fine, vlt(relative, vset(1.0 / 16))));
+    return relative * BOUND(UNIT_CHORD) + BOUND(UNIT_ROUNDING);
+}
+
+/* Sets what the points P see of the light: all but `out`, `shadow`, `eout` and `apart`. */
+static __attribute__((noinline)) void set_area_seen(const struct sure_light *l, const struct aim *aim,
+                                                    const struct shade *h, struct area *a)
 {
     a->light = l;
     a->disc = !tia_light_has(l->from->kind, TIA_LIGHT_SIDES);
@@ -122,13 +134,29 @@ static __attribute__((noinline)) void set_area(const struct sure_light *l, const
     a->axes[0] = aim->axes[0];
     a->axes[1] = aim->axes[1];
     a->way = v3_sub(v3_set(l->at), h->point);
-    a->out = v3_sub(v3_set(l->at), h->outside);
     a->seen = square_of(a->axes, a->way);
-    a->shadow = square_of(a->axes, a->out);
     a->reach = vset(l->radius);
     if (!a->disc)
         a->reach = vsqrt(a->seen.xx) + vsqrt(a->seen.yy);
-    set_area_errors(aim, h, a);
+    a->fine = mnot(mnone());
+    a->eto =
+        area_direction_error(a, a->seen.at,
+                             BOUND_OF(SAMPLE_WAY, h->ep + (v3_sum(a->way) + v3_sum(h->point)) * BOUND(POINT_ROUNDING)) +
+                                 area_place_error(aim, a));
+}
+
+/* The error of a shadow ray's vector is as in aim_shadow(), for the largest coordinates. */
+static __attribute__((noinline)) void set_area(const struct sure_light *l, const struct aim *aim, const struct shade *h,
+                                               struct area *a)
+{
+    set_area_seen(l, aim, h, a);
+    a->out = v3_sub(v3_set(l->at), h->outside);
+    a->shadow = square_of(a->axes, a->out);
+    vd out = v3_sum(a->out), size = v3_sum(a->axes[0]) + v3_sum(a->axes[1]);
+    vd es = BOUND_OF(SHADOW_WAY, h->eoutside + (out + v3_sum(h->outside)) * BOUND(POINT_ROUNDING)) +
+            area_place_error(aim, a);
+    a->eout = area_direction_error(a, a->shadow.at, es);
+    a->apart = BOUND_OF(SHAFT_APART, h->eoutside + es) + (out + size) * BOUND(SHAFT_ROUNDING) + BOUND(SHAFT_UNITS);
 }
 
 #endif

@@ -152,8 +152,10 @@ static void store_background_run(const struct sure_scene *s, struct sure_block *
 static bool shade_plain(struct work *w, int slot, int x, int y, int count, const double *across)
 {
     const struct sure_scene *s = w->block->scene;
-    struct known_lights known = {.seen = w->block->seen};
-    const struct sure_seen_face *const *face = &known.seen->face[slot];
+    const struct sure_seen *seen = w->block->seen;
+    const struct sure_seen_face *const *face = &seen->face[slot];
+    struct known_lights known;
+    struct lit lit;
     struct packet *p = &w->packet.p;
     struct query *q = &w->query;
     struct shade *h = &w->shade;
@@ -165,8 +167,10 @@ static bool shade_plain(struct work *w, int slot, int x, int y, int count, const
         store_background_run(s, w->block, slot, count);
         return true;
     }
+    known.seen = seen;
     for (int k = 0; k < LANES; k++)
         known.slot[k] = (uint32_t)(slot + k);
+    set_known(&known);
 #define COLUMN(k) x + (k)
     vd column = (vd){EACH_LANE(COLUMN)}, row = vset(y);
 #undef COLUMN
@@ -176,12 +180,9 @@ static bool shade_plain(struct work *w, int slot, int x, int y, int count, const
     vm fine = meet_sights(s, p, &z, q);
     const struct sure_material *m = &s->materials[face[0]->material];
     find_plain_surfaces(s, p, q, face, same, h);
-    struct lit lit = {.cancel = &w->block->cancel,
-                      .room = &w->lights,
-                      .known = &known,
-                      .unsure = mor(h->unsure, mnot(fine)),
-                      .eown = BOUND_OF(COLOUR_FACING, sure_most3(m->column + SURE_FACING) * h->efacing) +
-                              BOUND(COLOUR_UNITS)};
+    lit_begin(&lit, &w->block->cancel, &w->lights, &known);
+    lit.unsure = mor(h->unsure, mnot(fine));
+    lit.eown = BOUND_OF(COLOUR_FACING, sure_most3(m->column + SURE_FACING) * h->efacing) + BOUND(COLOUR_UNITS);
     for (int c = 0; c < 3; c++)
         lit.own[c] = m->column[SURE_EMISSION + c] + m->column[SURE_FACING + c] * vmax(h->facing, vset(0));
     for (uint32_t n = 0; n < s->light_count; n++)

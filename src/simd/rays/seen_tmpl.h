@@ -38,6 +38,7 @@ static void see(struct work *w, struct rays *r, unsigned lanes)
         known.slot[k] = r->slot[k];
         face[k] = known.seen->face[r->slot[k]];
     }
+    set_known(&known);
 #define COLUMN(k) w->place[0][r->slot[k]]
 #define ROW(k) w->place[1][r->slot[k]]
     vm unsure = find_seen(s, &r->p, face, vfloor((vd){EACH_LANE(COLUMN)} / vset(parts)),

@@ -57,14 +57,12 @@ static void add_own(struct work *w, unsigned *lanes, const struct shade *h, cons
                     const struct known_lights *known)
 {
     const struct sure_scene *s = w->block->scene;
-    struct lit lit = {.cancel = &w->block->cancel,
-                      .room = &w->lights,
-                      .known = known,
-                      .unsure = mnone(),
-                      .eown = BOUND_OF(COLOUR_FACING, most3(h->flat) * h->efacing) + BOUND(COLOUR_UNITS)};
+    struct lit lit;
     uint8_t class[LANES];
     bool bounced = false;
 
+    lit_begin(&lit, &w->block->cancel, &w->lights, known);
+    lit.eown = BOUND_OF(COLOUR_FACING, most3(h->flat) * h->efacing) + BOUND(COLOUR_UNITS);
     for (int k = 0; k < LANES; k++) {
         class[k] = w->class[r->slot[k]];
         bounced = bounced || (*lanes >> k & 1 && r->depth[k]);
