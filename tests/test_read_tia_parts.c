@@ -105,11 +105,13 @@ TEST(pictures_lie_beside_the_file_that_names_them)
 
 TEST(errors_name_the_innermost_file)
 {
-    files = (struct files){.names = {"a", "b", "d/e", "g", "twice", "bad", "fault", "empty", "to", "fro"},
-                           .texts = {"\n  include a", "sphere x", "include f", "group\n", "material m", "end",
-                                     "\nsphere radius 0 material m\n", "", "include fro", "include to"}};
+    files =
+        (struct files){.names = {"a", "b", "d/e", "g", "twice", "bad", "fault", "empty", "to", "fro", "own"},
+                       .texts = {"\n  include a", "sphere x", "include f", "group\n", "material m", "end",
+                                 "\nsphere radius 0 material m\n", "", "include fro", "include to", M "include own"}};
     check_refused("include a", "a:2:11: 'a' is already being read, expected a file that does not include itself");
-    check_refused("include to", "fro:1:9: 'to' is already being read, expected a file that does not include itself");
+    check_refused("include to\n", "fro:1:9: 'to' is already being read, expected a file that does not include itself");
+    check_refused(M "include own", "2:9: 'own' is already being read, expected a file that does not include itself");
     check_refused("\ninclude b",
                   "b:1:8: 'x' is not a field of a sphere, expected material, radius, appears or the like");
     check_refused("include d/e", "d/e:1:9: 'f': no such file, expected a scene's file");

@@ -42,9 +42,12 @@ static const char *set_name(void *symbol, char *value)
 static const char *add_size(void *member, char *value)
 {
     struct convert_tiles *tiles = member;
-    uint16_t *size = tiles->count < CONVERT_TILES ? tiles->size[tiles->count++] : NULL;
+    uint16_t *size = tiles->size[tiles->count];
 
-    return size && parse_size(value, NULL, TIA_SIZE_MAX, &size[0], &size[1]) ? NULL : "";
+    if (tiles->count == CONVERT_TILES)
+        return "more than 16 sizes";
+    tiles->count++;
+    return parse_size(value, NULL, TIA_SIZE_MAX, &size[0], &size[1]) ? NULL : "";
 }
 
 static const char *set_picture(void *member, char *value)
@@ -62,7 +65,9 @@ static const char *add_rectangle(void *member, char *value)
     const char *at = equals;
     uint32_t n[4];
 
-    if (!equals || all->count == CONVERT_TELLTALES)
+    if (all->count == CONVERT_TELLTALES)
+        return "more than 16 rectangles";
+    if (!equals)
         return "";
     for (int i = 0; i < 4; i++)
         if ((i > 0 && *at != ',') || !parse_number(at + 1, i < 3 ? &at : NULL, i < 2 ? 0 : 1, TIA_SIZE_MAX, &n[i]))
@@ -101,7 +106,7 @@ static const struct option_row rows[] = {
      "SYMBOL_ROWS_320, SYMBOL_HITS_320x240 and SYMBOL_VIEWER_320x240",
      CONVERT_TO(memory)},
     {"size", 's', OPTION_PARSED, "WIDTHxHEIGHT", "the size of a picture or a tile; up to 16 times", CONVERT_TO(tiles),
-     .parse = add_size, .rule = "not a size (1x1 to 8192x8192, like 320x240), or one of more than 16"},
+     .parse = add_size, .rule = "not a size (1x1 to 8192x8192, like 320x240)"},
     {"lights", 0, OPTION_NUMBER, "N", "the maximum number of lights; default: the scene's, plus one for each key line",
      CONVERT_TO(lights), .min = 1, .max = LIGHTS_MOST},
     {"name", 0, OPTION_PARSED, "SYMBOL", "default: scene", CONVERT_TO(symbol), .parse = set_name,
@@ -111,7 +116,7 @@ static const struct option_row rows[] = {
      CONVERT_TO(telltales), .parse = set_picture, .rule = "not a size (1x1 to 8192x8192, like 320x240)"},
     {"rectangle", 0, OPTION_PARSED, "NAME=X,Y,WIDTH,HEIGHT", "a rectangle for --crc; up to 16 times",
      CONVERT_TO(telltales), .parse = add_rectangle,
-     .rule = "not a rectangle (a name in C, and four numbers, like ball=100,60,120,80), or one of more than 16"},
+     .rule = "not a rectangle (a name in C, and four numbers, like ball=100,60,120,80)"},
     CONVERT_END};
 
 static const struct command command = {"tia-compile",

@@ -54,6 +54,11 @@ static bool is_same(const char *a, const char *b)
     return *a == *b;
 }
 
+static int includes_itself(struct tia_parse *job, const struct tia_word *name)
+{
+    return tia_text_error(&job->text, name, "is already being read", "a file that does not include itself");
+}
+
 static int check(struct tia_parse *job, const struct tia_word *name, const char *path)
 {
     const struct tia_includes *includes = &job->includes;
@@ -62,7 +67,7 @@ static int check(struct tia_parse *job, const struct tia_word *name, const char 
     for (unsigned i = 1; i <= includes->depth; i++) {
         path_at(includes, i, other);
         if (is_same(path, other))
-            return tia_text_error(&job->text, name, "is already being read", "a file that does not include itself");
+            return includes_itself(job, name);
     }
     if (includes->depth == TIA_INCLUDE_DEPTH)
         return tia_text_error(&job->text, name, "is one file too deep", "at most 8 within each other");
@@ -71,6 +76,22 @@ static int check(struct tia_parse *job, const struct tia_word *name, const char 
     if (!job->reader->library)
         return tia_text_error(&job->text, name, "cannot be fetched here", "a scene of one file");
     return TIA_OK;
+}
+
+/* True if the file is the scene, whose own name is not known, or a copy in the same folder, which includes itself as
+ * well. */
+static bool is_scene(const struct tia_reader *reader, const char *path, const char *text, size_t length)
+{
+    size_t same = 0;
+
+    for (; *path; path++)
+        if (*path == '/')
+            return false;
+    if (length != reader->length)
+        return false;
+    while (same < length && text[same] == reader->text[same])
+        same++;
+    return same == length;
 }
 
 static int read_include(struct tia_parse *job)
@@ -90,6 +111,8 @@ static int read_include(struct tia_parse *job)
         return tia_parse_missing(job, &name, why, "a scene's file");
     if (tia_text_is_too_long(length))
         return tia_text_error(&job->text, &name, "is too long", "less than 4 GiB");
+    if (is_scene(reader, path, text, length))
+        return includes_itself(job, &name);
     job->includes.next = tia_text_begin(text ? text : "", text ? length : 0, job->includes.file, job->text.error);
     job->includes.next.constants = &job->constants;
     job->includes.next.tolerance = job->text.tolerance;
