@@ -303,7 +303,7 @@ INLINE int draw_cell(const struct simd_run *r, const struct cells *cells, int ce
         }
         struct levels found = levels_of(sum, half[i / N & 1], near31, near63, grey);
         i_pack(found.red, found.green, found.blue, out + cell * SIMD_CELL + i);
-        if (__builtin_expect(m_any(m_not(found.sure)), 0))
+        if (may_list(found.sure))
             n = note_open(found.sure, cells->at.start + cell * SIMD_CELL + i, N, list, n);
     }
     return n;

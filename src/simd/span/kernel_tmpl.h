@@ -187,6 +187,18 @@ INLINE struct levels levels_at(const struct simd_run *r, const struct body *k, F
     return found;
 }
 
+/* True if pixels of an interpolated cell may have to be listed. About every second such cell has one, so that a test is
+ * in vain where listing takes no branch. */
+INLINE bool may_list(M sure)
+{
+#ifdef NOTE_OPEN
+    (void)sure;
+    return true;
+#else
+    return m_any(m_not(sure));
+#endif
+}
+
 #ifndef NOTE_OPEN /* an instruction set may have a faster one */
 INLINE int note_open(M sure, int at, int count, uint16_t *list, int n)
 {
