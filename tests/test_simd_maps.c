@@ -91,12 +91,12 @@ static void check_point(struct spot_map *s, uint32_t face, int x, int y)
         return;
     const double u = (double)want.spot.u / 65536, v = (double)want.spot.v / 65536;
     bool beyond = fabs(u) > BEYOND / 2 || fabs(v) > BEYOND / 2;
-    CHECK(want.spot.view == &w.map.view[(int)b.number[0]]);
+    CHECK(want.spot.view == &w.map.view[b.view[0]]);
     CHECK_MSG(beyond || (b.u[0][0] <= u && u <= b.u[1][0]), "u %.17g not in %.17g..%.17g", u, b.u[0][0], b.u[1][0]);
     CHECK_MSG(beyond || (b.v[0][0] <= v && v <= b.v[1][0]), "v %.17g not in %.17g..%.17g", v, b.v[0][0], b.v[1][0]);
     uint32_t least = tia_map_least(&w.map, want.limit);
-    CHECK_MSG(beyond || (b.least[0][0] <= least && least <= b.least[1][0]), "bias %d: %u not in %.0f..%.0f",
-              (int)w.look.bias, least, b.least[0][0], b.least[1][0]);
+    CHECK_MSG(beyond || (b.least[0][0] <= least && least <= b.least[1][0]), "bias %d: %u not in %lld..%lld",
+              (int)w.look.bias, least, (long long)b.least[0][0], (long long)b.least[1][0]);
 }
 
 static void make_world(int round)

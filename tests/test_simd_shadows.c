@@ -88,6 +88,19 @@ TEST(faces_larger_than_blocks)
     scene_close(&file);
 }
 
+/* Without a bias, texels are as far away as the points that look them up, so that bounds often decide nothing. */
+TEST(no_bias)
+{
+    for (size_t i = 0; i < 6; i++) {
+        struct scene_file file;
+        CHECK_EQ(scene_open(&file, files[i], scene_format_of(files[i]), false), TIA_OK);
+        file.scene.shadows = TIA_SHADOWS_MAP;
+        file.scene.shadow_map = (struct tia_shadow_map){.size = 256, .bias = TIA_BIAS_NONE, .filter = TIA_FILTER_3X3};
+        compare(files[i], 0, &file.scene, 61, 35, false);
+        scene_close(&file);
+    }
+}
+
 /* Makes a point light a disc or a rectangle, which some points may be close to. */
 static void widen(struct tia_light *light, unsigned i)
 {
@@ -197,6 +210,7 @@ static void run_all(const struct tia_simd *tested)
 #define RUN_SIMD(test) ((void)snprintf(title, sizeof title, "%s: %s", tested->name, #test), check_run(title, test))
     RUN_SIMD(scene_files);
     RUN_SIMD(faces_larger_than_blocks);
+    RUN_SIMD(no_bias);
     RUN_SIMD(random_scenes_of_faces);
     RUN_SIMD(curved_shapes);
     RUN_SIMD(lights_move);

@@ -132,6 +132,14 @@ LANE_OP vm mof(unsigned bits)
     return _mm256_castsi256_pd(_mm256_cmpeq_epi64(_mm256_and_si256(_mm256_set1_epi64x(bits), bit), bit));
 }
 
+#define WORDS_GE(p, a, b) words_ge(_mm_loadu_si128((const void *)(p)), (int)(a), (int)(b))
+LANE_OP unsigned words_ge(__m128i four, int a, int b)
+{
+    __m256i both = _mm256_broadcastsi128_si256(four), least = _mm256_set_m128i(_mm_set1_epi32(b), _mm_set1_epi32(a));
+
+    return (unsigned)_mm256_movemask_ps(_mm256_castsi256_ps(_mm256_cmpeq_epi32(_mm256_max_epu32(both, least), both)));
+}
+
 #define VPACK(a, lanes) packed_lanes(a, lanes)
 LANE_OP vd packed_lanes(vd a, unsigned lanes)
 {

@@ -129,6 +129,9 @@ typedef __mmask8 vm;
 #define mof(bits) ((vm)(bits))
 #define VRSQRT(a) d_rsqrt(a)
 #define VBYTES(x) _mm512_cvtepi32_pd(_mm256_cvtepu8_epi32(_mm_cvtsi64_si128((int64_t)(x))))
+#define WORDS_GE(p, a, b)                                                                                              \
+    ((unsigned)_mm256_cmpge_epu32_mask(_mm256_broadcastsi128_si256(_mm_loadu_si128((const void *)(p))),                \
+                                       _mm256_set_m128i(_mm_set1_epi32((int)(b)), _mm_set1_epi32((int)(a)))))
 #define VPACK(a, lanes) _mm512_maskz_compress_pd(mof(lanes), a)
 #define OF16(table, index)                                                                                             \
     (vu) _mm256_permutex2var_epi32(_mm256_loadu_si256((const void *)(table)), (__m256i)(index),                        \

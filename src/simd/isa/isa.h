@@ -34,6 +34,7 @@
  * Optional, where the instruction set does this quickly:
  *   VRSQRT(a)                 1/sqrt(a) within 8 u of itself, a being positive and far from the ends of the range
  *   VBYTES(x)                 the lowest LANES bytes of a uint64_t, as numbers
+ *   WORDS_GE(p, a, b)         bits 0..3: which of the uint32_t p[0], ..., p[3] are at least a; bits 4..7: at least b
  *   VPACK(a, lanes)           the chosen lanes, moved together to the first ones
  *   OF16(table, index)        table[index & 15] in each lane, as a vu of rays/random_tmpl.h; the table has 16 words
  *

@@ -7,7 +7,8 @@
 
 #include "spots_tmpl.h"
 
-#define BLOCK 64 /* a tile is lit in blocks of this size, in which the faces of a row return in the next */
+#define PACKETS 4 /* packets that are prepared at once: their loads and divisions overlap */
+#define BLOCK 64  /* a tile is lit in blocks of this size, in which the faces of a row return in the next */
 
 /* ---- faces ---- */
 
@@ -46,20 +47,31 @@ static const struct lit_face *face_of(struct spot_map *s, uint32_t face)
 
 /* ---- pixels ---- */
 
-/* Bounds of LANES points; `sure`: these hold. In the `square` lanes, all texels of a square filter are known: `at` is
- * the index of the first. */
+/* Bounds of LANES points; `sure`: these hold. In the `square` lanes, all texels of a square filter are known: `first`
+ * is the index of the first. */
 struct spot_bounds {
-    double u[2][LANES], v[2][LANES], least[2][LANES], number[LANES], at[LANES];
+    double u[2][LANES], v[2][LANES];
+    int64_t least[2][LANES], view[LANES], first[LANES];
     unsigned sure, square;
 };
 
-/* Fetches the texels of a lane's square. */
-static void fetch(const struct spot_map *s, const struct spot_bounds *b, int k)
+/* Returns integers in 0..2^32 - 1. */
+LANE_OP vi whole_words(vd a)
 {
-    const uint32_t *at = s->map->view[(int)b->number[k]].distance + (size_t)b->at[k];
+    return as_integers(a + vset(NEAREST)) & INT64_C(0xffffffff);
+}
 
-    for (unsigned y = 0; y < s->side; y++, at += s->map->size)
-        __builtin_prefetch(at);
+LANE_OP void put_whole(int64_t to[LANES], vd a)
+{
+    vi words = whole_words(a);
+
+    __builtin_memcpy(to, &words, sizeof words);
+}
+
+/* Returns the first texel of a lane's square. */
+LANE_OP const uint32_t *square_at_lane(const struct spot_map *s, const struct spot_bounds *b, int k)
+{
+    return s->texels[b->view[k]] + b->first[k];
 }
 
 /* Finds the squares of texels around the points. */
@@ -72,10 +84,8 @@ LANE_OP void find_squares(const struct spot_map *s, const struct spot *spot, str
     i -= half;
     j -= half;
     one = mand(one, mand(vle(vset(0), vmin(i, j)), vle(vmax(i, j), last)));
-    vstore(b->at, j * (double)s->map->size + i);
+    put_whole(b->first, j * (double)s->map->size + i);
     b->square = s->side ? b->sure & mbits(one) : 0;
-    for (unsigned left = b->square; left; left &= left - 1)
-        fetch(s, b, __builtin_ctz(left));
 }
 
 static void find_bounds(const struct spot_map *s, const struct lit_face *face, int x, int y, struct spot_bounds *b)
@@ -89,9 +99,9 @@ static void find_bounds(const struct spot_map *s, const struct lit_face *face, i
     vstore(b->u[1], spot.u + spot.eu);
     vstore(b->v[0], spot.v - spot.ev);
     vstore(b->v[1], spot.v + spot.ev);
-    vstore(b->least[0], least[0]);
-    vstore(b->least[1], least[1]);
-    vstore(b->number, spot.number);
+    put_whole(b->least[0], least[0]);
+    put_whole(b->least[1], least[1]);
+    put_whole(b->view, spot.number);
     vm seen = mand(z.fine, mand(vlt(vset(0), z.z), vlt(z.z + z.e, vset(65536))));
     vm narrow = mand(vlt(spot.eu, vset(1)), vlt(spot.ev, vset(1)));
     b->sure = mbits(mand(mand(seen, narrow), spot.sure));
@@ -128,8 +138,16 @@ LANE_OP unsigned count_square(const uint32_t *at, unsigned size, unsigned side, 
 /* Returns the share of a point whose texels are known. */
 LANE_OP unsigned square_share(const struct spot_map *s, const struct spot_bounds *b, int k, unsigned side)
 {
-    const uint32_t *at = s->map->view[(int)b->number[k]].distance + (size_t)b->at[k];
+    const uint32_t *at = square_at_lane(s, b, k);
     uint32_t least = (uint32_t)b->least[0][k], most = (uint32_t)b->least[1][k];
+#ifdef WORDS_GE
+    if (side == 3) {
+        unsigned bits = WORDS_GE(at, least, most) | WORDS_GE(at + s->map->size, least, most) << 8 |
+                        WORDS_GE(at + 2 * (size_t)s->map->size, least, most) << 16;
+        int some = __builtin_popcount(bits & 0x070707), all = __builtin_popcount(bits & 0x707070);
+        return some == all ? s->shares[some] : TIA_SHARE_UNSURE;
+    }
+#endif
     unsigned lit = count_square(at, s->map->size, side, least);
 
     return least == most || count_square(at, s->map->size, side, most) == lit ? s->shares[lit] : TIA_SHARE_UNSURE;
@@ -144,7 +162,7 @@ static int64_t floor_of(double a)
 
 static unsigned share_at(const struct spot_map *s, const struct spot_bounds *b, int k, unsigned turn)
 {
-    struct tia_map_bounds bounds = {.view = &s->map->view[(int)b->number[k]]};
+    struct tia_map_bounds bounds = {.view = &s->map->view[b->view[k]]};
 
     for (int i = 0; i < 2; i++) {
         bounds.u[i] = floor_of(b->u[i][k] * 65536);
@@ -154,6 +172,28 @@ static unsigned share_at(const struct spot_map *s, const struct spot_bounds *b, 
     return tia_map_share_within(s->map, &bounds, s->l->look->filter, turn);
 }
 
+/* Finds the shares of the first `count` lanes, TIA_SHARE_UNSURE where they are undecided. Returns true if none is. */
+LANE_OP bool find_shares(const struct spot_map *s, const struct spot_bounds *b, int count, unsigned side,
+                         unsigned share[LANES])
+{
+    bool sure = true;
+
+    for (int k = 0; k < count; k++) {
+        share[k] = b->square >> k & 1 ? square_share(s, b, k, side) : TIA_SHARE_UNSURE;
+        sure = sure && share[k] != TIA_SHARE_UNSURE;
+    }
+    return sure;
+}
+
+/* Finds the shares of lanes without a square. */
+static __attribute__((noinline)) void find_others(const struct spot_map *s, const struct spot_bounds *b, int x, int y,
+                                                  int count, unsigned share[LANES])
+{
+    for (int k = 0; k < count; k++)
+        if ((b->sure & ~b->square) >> k & 1)
+            share[k] = share_at(s, b, k, (unsigned)(x + k + 3 * y));
+}
+
 /* Lights the first `count` of LANES pixels from (x, y) on. */
 LANE_OP void light_lanes(const struct spot_map *s, const struct spot_bounds *b, int x, int y, int count)
 {
@@ -161,39 +201,35 @@ LANE_OP void light_lanes(const struct spot_map *s, const struct spot_bounds *b, 
     size_t at = target_index(&l->tile->target, x, y), shares = l->shares;
     uint64_t *lit = l->tile->lit + at;
     tia_share *to = shares ? (tia_share *)l->tile->more + at * shares + l->sample : NULL;
-    unsigned sample = l->sample;
+    unsigned share[LANES];
 
+    if (!(s->side == 3 ? find_shares(s, b, count, 3, share) : find_shares(s, b, count, s->side, share)))
+        find_others(s, b, x, y, count, share);
     for (int k = 0; k < count; k++) {
-        unsigned share = !(b->square >> k & 1) ? TIA_SHARE_UNSURE
-                         : s->side == 3        ? square_share(s, b, k, 3)
-                                               : square_share(s, b, k, s->side);
-        if (share == TIA_SHARE_UNSURE && b->sure >> k & 1)
-            share = share_at(s, b, k, (unsigned)(x + k + 3 * y));
-        if (share == TIA_SHARE_UNSURE) {
+        if (share[k] == TIA_SHARE_UNSURE) {
             tia_map_light_pixel(l, x + k, y);
             continue;
         }
-        lit[k] |= (uint64_t)(share > 0) << sample;
+        lit[k] |= (uint64_t)(share[k] > 0) << l->sample;
         if (to)
-            to[(size_t)k * shares] = (tia_share)share;
+            to[(size_t)k * shares] = (tia_share)share[k];
     }
 }
 
-/* Lights pixels x0..x1-1 of row y, which show one face. The texels of LANES pixels are fetched while those of the last
- * ones are read. */
+/* Lights pixels x0..x1-1 of row y, which show one face. */
 static void light_run(struct spot_map *s, const struct lit_face *face, int y, int x0, int x1)
 {
-    struct spot_bounds two[2], *next = &two[0];
+    struct spot_bounds packet[PACKETS];
 
-    two[0].sure = two[0].square = two[1].sure = two[1].square = 0;
-    if (face->known)
-        find_bounds(s, face, x0, y, next);
-    for (int x = x0; x < x1; x += LANES) {
-        struct spot_bounds *b = next;
-        next = b == &two[0] ? &two[1] : &two[0];
-        if (face->known && x + LANES < x1)
-            find_bounds(s, face, x + LANES, y, next);
-        light_lanes(s, b, x, y, least_int(LANES, x1 - x));
+    for (int x = x0; x < x1; x += PACKETS * LANES) {
+        int count = least_int(PACKETS, (x1 - x + LANES - 1) / LANES);
+        for (int i = 0; i < count && face->known; i++)
+            find_bounds(s, face, x + i * LANES, y, &packet[i]);
+        for (int i = 0; i < count; i++) {
+            if (!face->known)
+                packet[i].sure = packet[i].square = 0;
+            light_lanes(s, &packet[i], x + i * LANES, y, least_int(LANES, x1 - x - i * LANES));
+        }
     }
 }
 

@@ -27,6 +27,7 @@ struct lit_face {
 struct spot_map {
     struct tia_map_lighting *l;
     const struct tia_map *map;
+    const uint32_t *texels[6]; /* of each view */
     struct lit_face face[LIT_FACES];
     double first[3], right[3], down[3], along[3];
     double origin[3], axes[3][3];
@@ -83,6 +84,8 @@ static void open_map(struct spot_map *s, struct tia_map_lighting *l)
 
     s->l = l;
     s->map = map;
+    for (unsigned i = 0; i < map->view_count; i++)
+        s->texels[i] = map->view[i].distance;
     s->orthographic = l->view->flat.eye.projection == TIA_ORTHOGRAPHIC;
     s->cube = map->view_count > 1;
     set_three(s->first, world->first, P2M(45));
