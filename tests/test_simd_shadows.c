@@ -88,10 +88,11 @@ TEST(faces_larger_than_blocks)
     scene_close(&file);
 }
 
-/* Without a bias, texels are as far away as the points that look them up, so that bounds often decide nothing. */
+/* Without a bias, texels are as far away as the points that look them up, so that bounds often decide nothing. The last
+ * file's 49 maps would take long. */
 TEST(no_bias)
 {
-    for (size_t i = 0; i < 6; i++) {
+    for (size_t i = 0; i + 1 < sizeof files / sizeof *files; i++) {
         struct scene_file file;
         CHECK_EQ(scene_open(&file, files[i], scene_format_of(files[i]), false), TIA_OK);
         file.scene.shadows = TIA_SHADOWS_MAP;

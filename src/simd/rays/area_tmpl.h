@@ -30,6 +30,7 @@ struct area {
     struct v3 axes[2], way, out; /* A, B, L - P, L - O */
     struct square seen, shadow;  /* squares of distances from P and from O */
     vd reach;                    /* largest |x A + y B| */
+    vd eplace;                   /* error of the samples' places relative to the light */
     vd eto, eout;                /* errors of the samples' directions from P and from O */
     vd apart;                    /* largest distance of fixed-point shadow rays from the segments to the samples */
     vm fine;                     /* other lanes are too close to the light or too uncertain */
@@ -102,16 +103,6 @@ LANE_OP vm turned_away(const struct area *a, const struct shade *h)
                 vlt(above.at + affine_reach(a, &above), -area_above_error(a, h) * (vsqrt(a->seen.at) + a->reach)));
 }
 
-/* Returns the bound of the errors of the samples' places relative to the light, as in sample_of() for the largest
- * coordinates. */
-LANE_OP vd area_place_error(const struct aim *aim, const struct area *a)
-{
-    vd size = v3_sum(a->axes[0]) + v3_sum(a->axes[1]);
-
-    return BOUND_OF(SAMPLE_AREA, 2 * a->most * (aim->e + BOUND(SAMPLE_PLACE))) + BOUND(SAMPLE_UNITS) +
-           size * BOUND(SAMPLE_SIDES);
-}
-
 /* Returns the bound of the errors of directions to the samples, given the square of the distance of the light's centre
  * and the bound of the vectors' errors. Clears `fine` in the lanes that are too close or too uncertain. */
 LANE_OP vd area_direction_error(struct area *a, vd square, vd e)
@@ -124,7 +115,8 @@ LANE_OP vd area_direction_error(struct area *a, vd square, vd e)
     return relative * BOUND(UNIT_CHORD) + BOUND(UNIT_ROUNDING);
 }
 
-/* Sets what the points P see of the light: all but `out`, `shadow`, `eout` and `apart`. */
+/* Sets what the points P see of the light: all but `out`, `shadow`, `eout` and `apart`. Errors are as in sample_of(),
+ * for the largest coordinates. */
 static __attribute__((noinline)) void set_area_seen(const struct sure_light *l, const struct aim *aim,
                                                     const struct shade *h, struct area *a)
 {
@@ -138,11 +130,12 @@ static __attribute__((noinline)) void set_area_seen(const struct sure_light *l, 
     a->reach = vset(l->radius);
     if (!a->disc)
         a->reach = vsqrt(a->seen.xx) + vsqrt(a->seen.yy);
+    a->eplace = BOUND_OF(SAMPLE_AREA, 2 * a->most * (aim->e + BOUND(SAMPLE_PLACE))) + BOUND(SAMPLE_UNITS) +
+                (v3_sum(a->axes[0]) + v3_sum(a->axes[1])) * BOUND(SAMPLE_SIDES);
     a->fine = mnot(mnone());
-    a->eto =
-        area_direction_error(a, a->seen.at,
-                             BOUND_OF(SAMPLE_WAY, h->ep + (v3_sum(a->way) + v3_sum(h->point)) * BOUND(POINT_ROUNDING)) +
-                                 area_place_error(aim, a));
+    a->eto = area_direction_error(
+        a, a->seen.at,
+        BOUND_OF(SAMPLE_WAY, h->ep + (v3_sum(a->way) + v3_sum(h->point)) * BOUND(POINT_ROUNDING)) + a->eplace);
 }
 
 /* The error of a shadow ray's vector is as in aim_shadow(), for the largest coordinates. */
@@ -153,8 +146,7 @@ static __attribute__((noinline)) void set_area(const struct sure_light *l, const
     a->out = v3_sub(v3_set(l->at), h->outside);
     a->shadow = square_of(a->axes, a->out);
     vd out = v3_sum(a->out), size = v3_sum(a->axes[0]) + v3_sum(a->axes[1]);
-    vd es = BOUND_OF(SHADOW_WAY, h->eoutside + (out + v3_sum(h->outside)) * BOUND(POINT_ROUNDING)) +
-            area_place_error(aim, a);
+    vd es = BOUND_OF(SHADOW_WAY, h->eoutside + (out + v3_sum(h->outside)) * BOUND(POINT_ROUNDING)) + a->eplace;
     a->eout = area_direction_error(a, a->shadow.at, es);
     a->apart = BOUND_OF(SHAFT_APART, h->eoutside + es) + (out + size) * BOUND(SHAFT_ROUNDING) + BOUND(SHAFT_UNITS);
 }

@@ -42,6 +42,12 @@ LANE_OP vd whole_doubles(vi a)
     return as_doubles(a + bits) - vset(base);
 }
 
+/* Returns integers in 0..2^32 - 1, given as doubles. */
+LANE_OP vi whole_words(vd a)
+{
+    return as_integers(a + vset(NEAREST)) & INT64_C(0xffffffff);
+}
+
 /* Returns 2^exponent; false if that is far from 1. */
 static bool two_to(int exponent, double *power)
 {
@@ -127,9 +133,8 @@ LANE_OP unsigned put_distances(uint32_t *to, const struct distances *d)
     vd parts = vmin(d->v, vset(FARTHEST)) * vsel(vlt(d->step, vset(2)), vset(1), vset(.5));
     vd given = parts - vsel(d->down, vset(.5), vset(0)), whole = (given + vset(NEAREST)) - vset(NEAREST);
     vm sure = mor(vle(vset(FARTHEST), d->v), vlt(vabs(given - whole), vset(.5 - BOUND(MAP_DISTANCE))));
-    vd above = vmin(whole * d->step, vset(TIA_MAP_FAR)) + vset(NEAREST);
 
-    put_words(to, as_integers(above) & INT64_C(0xffffffff));
+    put_words(to, whole_words(vmin(whole * d->step, vset(TIA_MAP_FAR))));
     return mbits(mnot(sure));
 }
 

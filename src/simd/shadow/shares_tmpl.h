@@ -55,12 +55,6 @@ struct spot_bounds {
     unsigned sure, square;
 };
 
-/* Returns integers in 0..2^32 - 1. */
-LANE_OP vi whole_words(vd a)
-{
-    return as_integers(a + vset(NEAREST)) & INT64_C(0xffffffff);
-}
-
 LANE_OP void put_whole(int64_t to[LANES], vd a)
 {
     vi words = whole_words(a);
@@ -221,15 +215,14 @@ static void light_run(struct spot_map *s, const struct lit_face *face, int y, in
 {
     struct spot_bounds packet[PACKETS];
 
-    for (int x = x0; x < x1; x += PACKETS * LANES) {
+    for (int x = x0; x < x1 && !face->known; x++)
+        tia_map_light_pixel(s->l, x, y);
+    for (int x = x0; x < x1 && face->known; x += PACKETS * LANES) {
         int count = least_int(PACKETS, (x1 - x + LANES - 1) / LANES);
-        for (int i = 0; i < count && face->known; i++)
+        for (int i = 0; i < count; i++)
             find_bounds(s, face, x + i * LANES, y, &packet[i]);
-        for (int i = 0; i < count; i++) {
-            if (!face->known)
-                packet[i].sure = packet[i].square = 0;
+        for (int i = 0; i < count; i++)
             light_lanes(s, &packet[i], x + i * LANES, y, least_int(LANES, x1 - x - i * LANES));
-        }
     }
 }
 

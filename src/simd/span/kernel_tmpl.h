@@ -187,8 +187,8 @@ INLINE struct levels levels_at(const struct simd_run *r, const struct body *k, F
     return found;
 }
 
-/* True if pixels of an interpolated cell may have to be listed. About every second such cell has one, so that a test is
- * in vain where listing takes no branch. */
+/* True if pixels of an interpolated cell may have to be listed. Many such cells have one, so that a test does not pay
+ * where listing takes no branch. */
 INLINE bool may_list(M sure)
 {
 #ifdef NOTE_OPEN
