@@ -4,7 +4,7 @@ import {text} from './editor.js';
 
 let module, worker, suspends = page.query.get('suspend') !== 'no', ready = false, idle = true, kept = null;
 let hear = () => {}, helpers = [], extra = new Map();
-const RELEASE = 1, TAP = 2, SPACE = 32; // as in tia/port.h
+const RELEASE = 1, TAP = 2, POINT = 3, SPACE = 32; // as in tia/port.h
 let pauses = null, whenPaused = []; // whether the scene will be paused, null: as it is shown; functions to call when it is shown so
 
 export const suspending = () => suspends;
@@ -50,13 +50,20 @@ export const settings = () => {
     integrator: +$('integrator').value, samples: +$('samples').value};
 };
 
-function ask(job) {
-  idle = page.complete = false;
+// Numbers a change; no picture is complete until the worker has drawn one that shows it.
+function outdate() {
+  page.sent++;
+  page.complete = false;
   $('crc').textContent = '\u2026';
+}
+
+function ask(job) {
+  outdate();
+  idle = false;
   kept = job.goesOn ? kept : null;
   pauses = null;
   whenPaused = [];
-  worker.postMessage({job: {settings: settings(), ...job}});
+  worker.postMessage({job: {settings: settings(), ...job}, sent: page.sent});
 }
 
 export const load = () => ({load: {name: page.scene, text: text(), extra}});
@@ -75,10 +82,12 @@ export function send(events) {
     pauses = !willPause();
     whenPaused = [];
   }
+  if (events.some(event => event.kind !== RELEASE && (event.kind !== POINT || event.drag))) outdate();
+  const {sent} = page;
   if (!suspends && !idle && ready) {
     replace();
-    worker.postMessage({job: {settings: settings(), ...load(), goesOn: true, kept}, events});
-  } else worker.postMessage({events});
+    worker.postMessage({job: {settings: settings(), ...load(), goesOn: true, kept}, events, sent});
+  } else worker.postMessage({events, sent});
   idle = false;
 }
 
@@ -107,7 +116,7 @@ function receive(data) {
   if (data.slow && suspends && !helpers.length && helperCount()) beginHelpers();
   hear(data);
   if (data.frame && pauses === (data.frame.paused !== 0) && data.frame.block === 1) pauses = null;
-  if (data.frame && data.frame.paused && pauses === null) whenPaused.splice(0).forEach(resolve => resolve());
+  if (page.frame && page.frame.paused && pauses === null && (page.complete || !page.frame.whole)) whenPaused.splice(0).forEach(resolve => resolve());
 }
 
 // Asks a worker of its own for a picture of the lights and the camera that are shown: 16 bits a channel, or a record.

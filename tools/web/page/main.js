@@ -12,13 +12,13 @@ import {loadReference, startReference} from './reference.js';
 
 function hear(data) {
   if (data.frame) show(data.frame, data.pixels);
-  if (data.unchanged) showAgain();
+  if (data.unchanged) showAgain(data.heard);
   if (data.lines) drawRays(data.lines);
   if (data.loaded) showMistakes(null, page.scene);
   if (data.error) showMistakes(data.error, page.scene);
   if (data.failed) fail(data.failed);
   if (data.frame || data.error || data.failed) showThumbnails();
-  if (data.frame && page.complete && !page.first) {
+  if (page.complete && !page.first) {
     page.first = performance.now();
     $('picture').dataset.first = Math.round(page.first);
     startOffline();

@@ -3,9 +3,9 @@
 export const $ = id => document.getElementById(id);
 
 // scene: name of the scene; pose: the keys that have set its lights, '-' for none, null if something else has moved one; eye: 'home' or
-// 'moved'; technique: 'own' or 'another', for shadows;
-// frame: data of the last picture (worker.js); pixels: of the last complete picture, RGBA; gallery: gallery.json.
-export const page = {scene: null, pose: '-', eye: 'home', technique: 'own', frame: null, gallery: null, query: new URLSearchParams(location.search)};
+// 'moved'; technique: 'own' or 'another', for shadows; sent: number of the last change that the worker was told; complete: the picture
+// shows it; frame: data of the last picture (worker.js); gallery: gallery.json.
+export const page = {scene: null, pose: '-', eye: 'home', technique: 'own', sent: 0, complete: false, frame: null, gallery: null, query: new URLSearchParams(location.search)};
 
 let saying = 0;
 export function say(text) {

@@ -34,10 +34,25 @@ function judge(crc) {
   return known ? known === crc ? 'checksum agrees with the pinned one' : 'checksum differs from the pinned one' : '';
 }
 
+function showIncomplete() {
+  page.complete = false;
+  $('crc').textContent = $('verdict').textContent = '\u2026';
+  $('pinned').textContent = pinned() || '-';
+  $('verdict').className = '';
+}
+
+function showComplete() {
+  const crc = hex(page.frame.crc);
+  page.complete = true;
+  $('crc').textContent = crc;
+  if (page.frame.told) return;
+  page.frame.told = true;
+  say(`${page.scene} drawn, CRC-32 ${crc}, ${judge(crc)}`);
+  picture.dataset.complete = `${page.scene} ${crc}`;
+}
+
 export function show(now, pixels) {
-  const complete = now.block === 1 && (now.spp === 0 || now.samples >= now.spp);
   page.frame = now;
-  page.complete = complete;
   if (canvas.width !== now.width || canvas.height !== now.height) {
     canvas.width = now.width;
     canvas.height = now.height;
@@ -46,10 +61,8 @@ export function show(now, pixels) {
   $('progress').value = now.block > 1 ? now.done / 65536 : now.spp ? now.samples / now.spp : 1;
   $('time').textContent = now.block > 1 ? '\u2026' : now.spp ? `${now.samples} of ${now.spp} samples` : ms(now.drawUs);
   if (now.keyUs) $('latency').textContent = ms(now.keyUs);
-  $('crc').textContent = complete ? hex(now.crc) : '\u2026';
-  if (complete) say(`${page.scene} drawn, CRC-32 ${hex(now.crc)}, ${judge(hex(now.crc))}`);
-  if (complete) picture.dataset.complete = `${page.scene} ${hex(now.crc)}`;
-  else { $('pinned').textContent = pinned() || '-'; $('verdict').textContent = '\u2026'; $('verdict').className = ''; }
+  if (now.settled && now.heard === page.sent) showComplete();
+  else showIncomplete();
   placeLight();
   picture.dataset.light = `${now.x} ${now.y}`;
   picture.dataset.copied = now.copied;
@@ -58,11 +71,9 @@ export function show(now, pixels) {
   updateNote();
 }
 
-// Shows the checksum of the picture again, which has stayed.
-export function showAgain() {
-  if (!page.frame) return;
-  page.complete = true;
-  $('crc').textContent = hex(page.frame.crc);
+// The picture stays as it is after the change of that number.
+export function showAgain(heard) {
+  if (page.frame && !page.complete && heard === page.sent) showComplete();
 }
 
 export function placeLight() {
