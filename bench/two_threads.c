@@ -13,10 +13,18 @@
 #include "milliseconds.h"
 #include "pixels/pages.h"
 
-enum { WIDTH = 1920, HEIGHT = 1080, ROWS = 16, ROUNDS = 25, FRAMES = 10, STARTS = 15 };
+enum { ROWS = 16, ROUNDS = 25, FRAMES = 10, STARTS = 15 };
+
+struct frame_size {
+    uint16_t width, height;
+};
+
+/* Vector units store pictures of the second size past the caches, through the buffers for write-combined memory. */
+static const struct frame_size frame_sizes[] = {{1920, 1080}, {3840, 2160}};
 
 /* The data for drawing a frame, and its target. */
 struct stage {
+    struct frame_size size;
     struct tia_scene scene;
     struct tia_view *view;
     struct tia_hits *hits;
@@ -25,11 +33,11 @@ struct stage {
 };
 
 /* Prepares a stage, with memory allocated as tia does. */
-static void set(struct stage *s, const struct tia_simd *simd)
+static void set(struct stage *s, struct frame_size size, const struct tia_simd *simd)
 {
-    const struct tia_tile all = {0, 0, WIDTH, HEIGHT};
+    const struct tia_tile all = {0, 0, size.width, size.height};
 
-    *s = (struct stage){.scene = tia_thesis_scene};
+    *s = (struct stage){.size = size, .scene = tia_thesis_scene};
     s->scene.lights = &tia_thesis_scene.bindings[0].state;
     s->scene.light_count = 1;
     size_t view = tia_view_size(&s->scene, 1), more = tia_simd_size(simd, &s->scene, 1, 2);
@@ -37,8 +45,8 @@ static void set(struct stage *s, const struct tia_simd *simd)
     s->part[0] = checked(malloc(view));
     s->part[1] = checked(malloc(more + 1));
     s->part[2] = checked(pages_alloc(hits));
-    s->part[3] = checked(pages_alloc_cleared((size_t)WIDTH * HEIGHT * sizeof(tia_rgb565)));
-    if (tia_view_init(&s->view, s->part[0], view, &s->scene, 1, WIDTH, HEIGHT, NULL) ||
+    s->part[3] = checked(pages_alloc_cleared((size_t)size.width * size.height * sizeof(tia_rgb565)));
+    if (tia_view_init(&s->view, s->part[0], view, &s->scene, 1, size.width, size.height, NULL) ||
         tia_view_set_simd(s->view, simd, s->part[1], more) || tia_hits_init(&s->hits, s->part[2], hits, s->view, all))
         exit(1);
 }
@@ -52,10 +60,10 @@ static void strike(struct stage *s)
 static void strip(void *arg, unsigned index)
 {
     const struct stage *s = arg;
-    unsigned y = index * ROWS, rows = HEIGHT - y < ROWS ? HEIGHT - y : ROWS;
-    const struct tia_tile tile = {0, (uint16_t)y, WIDTH, (uint16_t)rows};
+    unsigned y = index * ROWS, rows = s->size.height - y < ROWS ? s->size.height - y : ROWS;
+    const struct tia_tile tile = {0, (uint16_t)y, s->size.width, (uint16_t)rows};
     const struct tia_surface surface = {
-        .pixels = (tia_rgb565 *)s->part[3] + (size_t)y * WIDTH, .step = 2, .pitch = 2 * WIDTH};
+        .pixels = (tia_rgb565 *)s->part[3] + (size_t)y * s->size.width, .step = 2, .pitch = 2 * s->size.width};
 
     if (s->relit ? tia_view_light(s->view, s->hits, tile, &surface, NULL)
                  : tia_view_draw(s->view, s->hits, tile, &surface, NULL))
@@ -65,7 +73,7 @@ static void strip(void *arg, unsigned index)
 static void draw(struct threads *pool, struct stage *s, bool relit)
 {
     s->relit = relit;
-    threads_run(pool, strip, s, (HEIGHT + ROWS - 1) / ROWS);
+    threads_run(pool, strip, s, (s->size.height + ROWS - 1u) / ROWS);
 }
 
 /* Binds the thread that runs job n to the n-th of the processors that this program may use: a scheduler may put both
@@ -108,7 +116,7 @@ static void take(struct threads *pool, struct stage *s, bool relit, struct cost 
 }
 
 /* Measures one thread and two in turns, so that a change of the machine's speed affects both. */
-static void measure_frames(const struct tia_simd *simd)
+static void measure_frames(struct frame_size size, const struct tia_simd *simd)
 {
     struct threads *pool[2] = {checked(threads_create(1)), checked(threads_create(2))};
     struct cost full[2] = {{0, 0}}, relit[2] = {{0, 0}};
@@ -116,7 +124,7 @@ static void measure_frames(const struct tia_simd *simd)
     cpu_set_t before;
     struct stage s;
 
-    set(&s, simd);
+    set(&s, size, simd);
     (void)sched_getaffinity(0, sizeof before, &before);
     threads_run(pool[1], settle, &settled, 2);
     for (int i = 0; i < (simd ? ROUNDS : ROUNDS / 5); i++)
@@ -145,7 +153,7 @@ static void measure_start(const struct tia_simd *simd)
         struct stage s;
         double start = milliseconds();
         struct threads *pool = checked(threads_create(2));
-        set(&s, simd);
+        set(&s, frame_sizes[0], simd);
         memory[i] = milliseconds() - start;
         name = tia_view_simd(s.view);
         for (int frame = 1; frame <= 10; frame++) {
@@ -166,12 +174,17 @@ void bench_threads(void)
     const struct tia_simd *simd = tia_simd_best();
 
     (void)mallopt(M_MMAP_THRESHOLD, 1 << 20); /* returns freed memory to the system */
-    printf("\n| %ux%u | threads | full, ms | CPU | relit, ms | CPU | full, times | relit, times |\n", WIDTH, HEIGHT);
-    printf("|---|--:|--:|--:|--:|--:|--:|--:|\n");
-    measure_frames(NULL);
-    if (simd)
-        measure_frames(simd);
-    printf("\n| %ux%u, 2 threads | memory, ms | first frame, ms | tenth | first/tenth |\n", WIDTH, HEIGHT);
+    for (size_t i = 0; i < sizeof frame_sizes / sizeof frame_sizes[0]; i++) {
+        const struct frame_size size = frame_sizes[i];
+        printf("\n| %ux%u | threads | full, ms | CPU | relit, ms | CPU | full, times | relit, times |\n", size.width,
+               size.height);
+        printf("|---|--:|--:|--:|--:|--:|--:|--:|\n");
+        measure_frames(size, NULL);
+        if (simd)
+            measure_frames(size, simd);
+    }
+    printf("\n| %ux%u, 2 threads | memory, ms | first frame, ms | tenth | first/tenth |\n", frame_sizes[0].width,
+           frame_sizes[0].height);
     printf("|---|--:|--:|--:|--:|\n");
     measure_start(NULL);
     if (simd)
