@@ -213,6 +213,25 @@ TEST(rays_beside_the_box_miss)
     CHECK_MSG(met > 2000 && missed > 2000, "%u met, %u missed", met, missed);
 }
 
+/* A ray that rises by 2^-21 of its way, whose reciprocal num_reciprocal clamps, starts `gap` below the plane of a box's
+ * top. It leaves that plane's side after 2^21 gap, beyond the box's front, 29999 away. */
+TEST(nearly_level_rays_meet_boxes_below_their_planes)
+{
+    const struct tia_transform transform = {{TIA_Q16(15000), 0, 0}, {0, 0, 0}, {65536, 65536, 65536}};
+    const struct bounds_wide box = {{-65536, -65536, -65536}, {65536, 65536, 65536}};
+    const struct num_dir along = {NUM_UNIT_ONE, NUM_UNIT_ONE / 2097152, 0};
+    struct instance instance;
+
+    instance_prepare(&instance, &transform, &box);
+    for (int i = 15; i <= 64; i++) {
+        long double gap = i / 1024.0L;
+        struct instance_ray placed;
+        const struct ray ray = {point_of((real3){-15000, 1 - gap, 0}), along};
+        instance_transform_ray(&instance, &ray, &placed);
+        CHECK_MSG(placed.start <= NUM_LENGTH_MAX, "%Lg below the plane", gap);
+    }
+}
+
 TEST(points_are_placed_as_matrices_say)
 {
     struct matrix m;
@@ -291,6 +310,7 @@ int main(void)
 {
     RUN(rays_are_placed_as_matrices_say);
     RUN(rays_beside_the_box_miss);
+    RUN(nearly_level_rays_meet_boxes_below_their_planes);
     RUN(points_are_placed_as_matrices_say);
     RUN(normals_are_placed_by_the_inverse_transpose);
     RUN(ellipsoids_are_met_where_they_are);

@@ -90,6 +90,8 @@ static const struct end {
     {"from under a level mesh", FLOOR, {0, -0.005, 0}, {1, 1, 0}, {0, 1, 0}, 0.01, 0},
     {"down to a level mesh", FLOOR, {0, 0.0001, 0}, {1, -0.0001, 0}, {0, 1, 0}, 0, 0.0003},
     {"up to a level mesh", FLOOR, {0, -0.0001, 0}, {1, 0.0001, 0}, {0, -1, 0}, 0, 0.0003},
+    {"past a triangle", "triangle a 0 0.5 0 b -1 0 0 c 1 0 0", {0, -0.001, 2}, {0, 0, -1}, {0, 1, 0}, 0.01, 0},
+    {"turned past a triangle", "triangle a 0 0.5 0 b -1 0 0 c 1 0 0", {0, -0.001, 9}, {0, 0, -1}, {0, 1, 0}, 0, 0.002},
 };
 
 static void open_text(const char *name, const char *text)
