@@ -53,21 +53,10 @@ struct shown {
     void *memory[3];
 };
 
-/* Returns the rows of a strip in tia with one thread. */
-static unsigned strip_rows(const struct tia_scene *scene, unsigned width, unsigned height)
-{
-    uint64_t faces = 0;
-
-    for (uint32_t i = 0; i < scene->mesh_count; i++)
-        faces += scene->meshes[i].face_count;
-    faces = 32 * faces / width;
-    return faces > height ? height : faces > 64 ? (unsigned)faces : 64;
-}
-
 static void open_frame(struct shown *f, const struct tia_scene *scene, uint16_t width, uint16_t height)
 {
     f->area = (struct tia_tile){0, 0, width, height};
-    f->rows = strip_rows(scene, width, height);
+    f->rows = shadow_strip_rows(scene, width, height);
     const struct tia_simd *simd = tia_simd_best();
     size_t sizes[3] = {tia_view_size(scene, scene->light_count), tia_hits_size(scene, f->area),
                        tia_simd_size(simd, scene, scene->light_count, 1)};

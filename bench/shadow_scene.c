@@ -1,5 +1,9 @@
 #include "shadow_scene.h"
 
+#include "milliseconds.h"
+#include "raster/target.h"
+#include "viewer/strips.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -78,38 +82,61 @@ void shadow_scene_make(struct shadow_scene *s, int level)
     shadow_must(tia_scene_check(&s->scene, NULL) == TIA_OK);
 }
 
-void shadow_passes_init(struct shadow_passes *p, const struct shadow_scene *s, uint16_t width, uint16_t height)
+unsigned shadow_strip_rows(const struct tia_scene *scene, unsigned width, unsigned height)
 {
-    const struct tia_tile all = {0, 0, width, height};
+    uint64_t faces = 0;
+
+    for (uint32_t i = 0; i < scene->mesh_count; i++)
+        faces += scene->meshes[i].face_count;
+    return tia_strips_raster_rows(faces, width, height, 1);
+}
+
+void shadow_passes_init(struct shadow_passes *p, const struct shadow_scene *s, struct tia_tile image, unsigned rows)
+{
     const unsigned buffers = TIA_BUFFER_DEPTH | TIA_BUFFER_COUNT;
     struct cancel never = {NULL, NULL, 0, false};
     size_t size = tia_flat_size(&s->scene);
 
+    p->height = image.height;
+    p->rows = (uint16_t)rows;
     p->memory[0] = malloc(size);
-    shadow_must(p->memory[0] && !tia_flat_init(&p->flat, p->memory[0], size, &s->scene, width, height, &never));
+    shadow_must(p->memory[0] &&
+                !tia_flat_init(&p->flat, p->memory[0], size, &s->scene, image.width, image.height, &never));
     tia_flat_light_at(&p->flat, lamps, 0, &p->light);
-    size = tia_raster_size(all, buffers, p->flat.face_count);
+    size = tia_raster_size(image, buffers, p->flat.face_count);
     p->memory[1] = malloc(size);
     shadow_must(p->memory[1] &&
-                !tia_raster_init(&p->target, p->memory[1], size, &p->flat.grid, all, buffers, p->flat.face_count));
+                !tia_raster_init(&p->target, p->memory[1], size, &p->flat.grid, image, buffers, p->flat.face_count));
     p->target.planes = p->flat.planes;
     p->target.planes_known = true;
     p->target.runs = tia_simd_raster(tia_simd_best());
 }
 
-void shadow_passes_draw(struct shadow_passes *p, enum shadow_pass pass)
+static void draw_pass(struct tia_raster_target *target, const struct shadow_passes *p, enum shadow_pass pass)
 {
-    struct tia_raster_target target = p->target;
     struct cancel never = {NULL, NULL, 0, false};
 
     if (pass == SHADOW_DEPTH) {
-        target.count = NULL;
-        tia_raster_clear_depth(&target);
-        shadow_must(!tia_shadow_faces(&target, &p->flat, &never));
+        target->count = NULL;
+        tia_raster_clear_depth(target);
+        shadow_must(!tia_shadow_faces(target, &p->flat, &never));
         return;
     }
-    tia_raster_clear_count(&target, 0);
-    shadow_must(!(pass == SHADOW_ZFAIL ? tia_shadow_zfail : tia_shadow_zpass)(&target, &p->flat, &p->light, &never));
+    tia_raster_clear_count(target, 0);
+    shadow_must(!(pass == SHADOW_ZFAIL ? tia_shadow_zfail : tia_shadow_zpass)(target, &p->flat, &p->light, &never));
+}
+
+void shadow_passes_draw(struct shadow_passes *p, enum shadow_pass pass, unsigned y, double *ms)
+{
+    struct tia_tile strip = p->target.area;
+    struct tia_raster_target target;
+    double start = cpu_milliseconds();
+
+    strip.y = (uint16_t)y;
+    strip.height = (uint16_t)(p->height - y < p->rows ? p->height - y : p->rows);
+    shadow_must(!tia_raster_part(&target, &p->target, strip));
+    draw_pass(&target, p, pass);
+    *ms += cpu_milliseconds() - start;
 }
 
 void shadow_passes_free(struct shadow_passes *p)

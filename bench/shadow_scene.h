@@ -28,19 +28,24 @@ void shadow_scene_init(struct shadow_scene *s);
 void shadow_scene_make(struct shadow_scene *s, int level);
 void shadow_scene_free(struct shadow_scene *s);
 
-/* The passes that draw the scene into one image: one for the depths, and two that count the shadow volumes of the
- * scene's light. */
+/* The passes that draw the scene into an image, strip by strip: one for the depths, and two that count the shadow
+ * volumes of the scene's light. */
 struct shadow_passes {
     struct tia_flat_scene flat;
     tia_flat_light light;
     struct tia_raster_target target;
+    uint16_t height, rows; /* of the image, and of a strip */
     void *memory[2];
 };
 
 enum shadow_pass { SHADOW_DEPTH, SHADOW_ZFAIL, SHADOW_ZPASS, SHADOW_PASSES };
 
-void shadow_passes_init(struct shadow_passes *p, const struct shadow_scene *s, uint16_t width, uint16_t height);
-void shadow_passes_draw(struct shadow_passes *p, enum shadow_pass pass);
+/* Strips have `rows`. */
+void shadow_passes_init(struct shadow_passes *p, const struct shadow_scene *s, struct tia_tile image, unsigned rows);
+/* Returns the rows of a strip in tia with one thread. */
+unsigned shadow_strip_rows(const struct tia_scene *scene, unsigned width, unsigned height);
+/* Adds the milliseconds of a pass over a strip at row y. Counts need the depths of the same strip. */
+void shadow_passes_draw(struct shadow_passes *p, enum shadow_pass pass, unsigned y, double *ms);
 void shadow_passes_free(struct shadow_passes *p);
 
 #endif

@@ -10,16 +10,20 @@
 
 static void measure(const struct shadow_scene *s, uint16_t width, uint16_t height)
 {
+    const struct tia_tile image = {0, 0, width, height};
+    unsigned rows = shadow_strip_rows(&s->scene, width, height);
     double ms[SHADOW_PASSES] = {0};
     struct shadow_passes p;
 
-    shadow_passes_init(&p, s, width, height);
-    for (int round = 0; round < ROUNDS; round++)
-        for (int i = 0; i < SHADOW_PASSES; i++) {
-            double start = cpu_milliseconds();
-            shadow_passes_draw(&p, (enum shadow_pass)i);
-            keep_least(&ms[i], cpu_milliseconds() - start);
-        }
+    shadow_passes_init(&p, s, image, rows);
+    for (int round = 0; round < ROUNDS; round++) {
+        double spent[SHADOW_PASSES] = {0};
+        for (unsigned y = 0; y < height; y += rows)
+            for (int i = 0; i < SHADOW_PASSES; i++)
+                shadow_passes_draw(&p, (enum shadow_pass)i, y, &spent[i]);
+        for (int i = 0; i < SHADOW_PASSES; i++)
+            keep_least(&ms[i], spent[i]);
+    }
     printf("| %ux%u | %u | %.2f | %.2f | %.2f | %.2f |\n", width, height, p.flat.face_count, ms[SHADOW_DEPTH],
            ms[SHADOW_ZFAIL], ms[SHADOW_ZPASS], ms[SHADOW_ZFAIL] / ms[SHADOW_DEPTH]);
     shadow_passes_free(&p);

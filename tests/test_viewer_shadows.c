@@ -1,6 +1,7 @@
 /* tia_viewer_run with the key that changes the technique for shadows. */
 #include <tia/motion.h>
 
+#include "viewer/strips.h"
 #include "viewer_world.h"
 
 #define SMALL_WIDTH 32
@@ -89,6 +90,7 @@ TEST(rows_of_tiles)
     static const struct tia_vec3 vertices[3] = {TIA_VEC3(0, 0, 0), TIA_VEC3(1, 0, 0), TIA_VEC3(0, 1, 0)};
     static const struct tia_mesh mesh = {.vertices = vertices, .vertex_count = 3, .faces = faces, .face_count = 100};
     static const struct tia_shape one = {.kind = TIA_MESH};
+    static const uint32_t drawn_us[5] = {900, 900, 900, 300, 600}; /* 300 for each tile */
 
     for (int i = 0; i < 300; i++)
         faces[i / 3].corner[i % 3] = (struct tia_corner){(uint32_t)(i % 3), TIA_NO_INDEX, TIA_NO_INDEX};
@@ -106,12 +108,31 @@ TEST(rows_of_tiles)
         yard.shape_count = i % 2 || i == 4 ? 1 : 2;
         yard.shadows = i / 2 ? TIA_SHADOWS_ZFAIL : TIA_SHADOWS_TRACED;
         CHECK_EQ(world_play(w), TIA_OK);
-        CHECK_EQ(w->frames[0].told.draw_us, i == 4 ? 600 : i == 3 ? 300 : 900);
+        CHECK_EQ(w->frames[0].told.draw_us, drawn_us[i]);
     }
 }
 
 /* Without memory for a variant of the scene, the key quits like others. A key that the scene binds has the scene's
  * effect. */
+/* Tiles behind the rasteriser: one at least for each worker, four where faces are few; all of about the same height. */
+TEST(rows_of_tiles_by_faces)
+{
+    static const struct {
+        uint64_t faces;
+        unsigned width, height, workers, rows;
+    } cases[] = {{6, 640, 480, 1, 60},        {6, 640, 480, 2, 60},           {1000000, 640, 480, 1, 480},
+                 {1000000, 640, 480, 2, 240}, {100, 1920, 1080, 1, 64},       {5000, 1920, 1080, 1, 270},
+                 {5000, 1920, 1080, 2, 135},  {1000000, 1920, 1080, 3, 360},  {0, 1, 1, 1, 1},
+                 {0, 8192, 3, 8, 1},          {UINT64_MAX / 1000, 1, 7, 2, 4}};
+
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        unsigned height = cases[i].height;
+        unsigned rows = tia_strips_raster_rows(cases[i].faces, cases[i].width, height, cases[i].workers);
+        CHECK_MSG(rows == cases[i].rows, "%u rows in case %zu, not %u", rows, i, cases[i].rows);
+        CHECK(rows > 0 && rows <= height && (height % rows == 0 || height % rows > rows / 2));
+    }
+}
+
 TEST(whose_key_it_is)
 {
     struct world *w = yard_world();
@@ -339,6 +360,7 @@ int main(void)
     RUN(one_technique_after_the_other);
     RUN(lights_between_techniques);
     RUN(rows_of_tiles);
+    RUN(rows_of_tiles_by_faces);
     RUN(whose_key_it_is);
     RUN(what_only_rays_can_draw);
     RUN(a_light_moves_far_away);

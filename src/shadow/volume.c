@@ -2,6 +2,8 @@
 
 #include "math/wide.h"
 
+#define KNOWN_SIDES 256
+
 static const struct tia_raster_vertex *corner(const struct tia_flat_scene *flat, const struct tia_flat_face *face,
                                               unsigned k)
 {
@@ -116,12 +118,31 @@ bool tia_flat_has_silhouette(const struct tia_flat_scene *flat, const struct tia
            (tia_flat_is_direction(flat, light) || !is_between(object->low, at, object->high));
 }
 
+/* Sides of the light that were computed last: neighbours of a face ask for them again. */
+struct known_sides {
+    uint32_t face[KNOWN_SIDES];
+    int8_t side[KNOWN_SIDES];
+};
+
+/* Returns tia_flat_side() of face f. */
+static int known_side(struct known_sides *known, const struct tia_flat_scene *flat, const tia_flat_light *light,
+                      uint32_t f)
+{
+    uint32_t at = f % KNOWN_SIDES;
+
+    if (known->face[at] != f) {
+        known->face[at] = f;
+        known->side[at] = (int8_t)tia_flat_side(flat, &flat->faces[f], light);
+    }
+    return known->side[at];
+}
+
 /* Sets *c and returns true if face f casts a shadow. Faces of closed objects cast one only when turned to the light. */
 static bool casts(const struct tia_flat_scene *flat, const tia_flat_light *light, uint32_t f, bool closed,
-                  struct caster *c)
+                  struct known_sides *known, struct caster *c)
 {
     c->face = &flat->faces[f];
-    int side = tia_flat_side(flat, c->face, light);
+    int side = known_side(known, flat, light, f);
 
     if (side == 0 || (closed && side < 0))
         return false;
@@ -129,7 +150,7 @@ static bool casts(const struct tia_flat_scene *flat, const tia_flat_light *light
     c->turned = side < 0;
     for (unsigned k = 0; k < c->sides; k++) {
         uint32_t other = flat->across[TIA_SIDES * f + k];
-        c->side[k] = !closed || tia_flat_side(flat, &flat->faces[other / TIA_SIDES], light) <= 0;
+        c->side[k] = !closed || known_side(known, flat, light, other / TIA_SIDES) <= 0;
     }
     return true;
 }
@@ -141,8 +162,11 @@ typedef int caster_function(void *ctx, const struct caster *caster, uint32_t fac
 static int for_each_caster(const struct tia_flat_scene *flat, const tia_flat_light *light, caster_function *call,
                            void *ctx, struct cancel *cancel, uint32_t work)
 {
+    struct known_sides known;
     int status = TIA_OK;
 
+    for (int i = 0; i < KNOWN_SIDES; i++)
+        known.face[i] = TIA_NO_FACE;
     for (uint32_t i = 0; i < flat->object_count; i++) {
         const struct tia_flat_object *object = &flat->objects[i];
         bool closed = tia_flat_has_silhouette(flat, object, light);
@@ -152,7 +176,7 @@ static int for_each_caster(const struct tia_flat_scene *flat, const tia_flat_lig
             struct caster c;
             if (cancelled(cancel, work))
                 return TIA_STOPPED;
-            if (casts(flat, light, object->first_face + n, closed, &c))
+            if (casts(flat, light, object->first_face + n, closed, &known, &c))
                 status = call(ctx, &c, object->first_face + n);
         }
     }

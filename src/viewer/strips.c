@@ -1,5 +1,11 @@
 /* strips.c - the rows of a tile on displays without a limit. */
+#include "strips.h"
+
 #include "loop.h"
+
+#define FACE_PIXELS 48        /* pixels of a tile for each face, where these are many */
+#define SOME_FACES 5          /* times as many pixels for each face, where these are fewer */
+#define CACHED_PIXELS 0x80000 /* pixels of a tile whose buffers stay in a cache */
 
 /* Returns about the number of faces behind the rasteriser: those of meshes, and six for any other shape. */
 static uint64_t face_count(const struct tia_scene *scene)
@@ -16,16 +22,26 @@ static unsigned least(uint64_t a, unsigned b)
     return a < b ? (unsigned)a : b;
 }
 
-/* Traced frames have few rows in a tile, so that each worker gets as many. Behind the rasteriser each tile sets up all
- * faces, each of which takes as long as a few pixels: there they are more, as long as each worker gets four tiles or,
- * of scenes with many faces, one. */
+/* Each tile sets up all faces, each of which takes as long as a few pixels. So tiles of scenes with many faces are
+ * large, as long as each worker gets one. With fewer faces each worker gets four, as tiles take different times, and
+ * their buffers, 16 bytes a pixel, stay in a cache. All tiles have about as many rows. */
+unsigned tia_strips_raster_rows(uint64_t faces, unsigned width, unsigned height, unsigned workers)
+{
+    unsigned share = (height + workers - 1) / workers;
+    unsigned many = least(FACE_PIXELS * faces / width, share);
+    unsigned some = least(SOME_FACES * FACE_PIXELS * faces / width, CACHED_PIXELS / width);
+    unsigned few = least(some > 4 * VIEWER_STRIP ? some : 4 * VIEWER_STRIP, share / 4);
+
+    unsigned rows = many > few ? many : few, tiles = rows ? (height + rows - 1) / rows : height;
+    return (height + tiles - 1) / tiles;
+}
+
+/* Traced frames have few rows in a tile, so that each worker gets as many. */
 unsigned tia_viewer_strip_rows(const struct loop *loop)
 {
     if (loop->base->shadows == TIA_SHADOWS_TRACED)
         return VIEWER_STRIP;
-    unsigned share = (loop->mode.height + viewer_workers(loop) - 1) / viewer_workers(loop);
-    unsigned by_faces = least(32 * face_count(loop->base) / loop->mode.width, share);
-    unsigned rows = least(share / 4, 4 * VIEWER_STRIP);
-    rows = by_faces > rows ? by_faces : rows;
+    unsigned rows =
+        tia_strips_raster_rows(face_count(loop->base), loop->mode.width, loop->mode.height, viewer_workers(loop));
     return (rows + VIEWER_STRIP - 1) / VIEWER_STRIP * VIEWER_STRIP;
 }
