@@ -3,9 +3,9 @@
 
 #include "loop.h"
 
-#define FACE_PIXELS 48        /* pixels of a tile for each face, where these are many */
-#define SOME_FACES 5          /* times as many pixels for each face, where these are fewer */
-#define CACHED_PIXELS 0x80000 /* pixels of a tile whose buffers stay in a cache */
+#define FACE_PIXELS 48                  /* pixels of a tile for each face, where these are many */
+#define SOME_FACES 5                    /* times as many pixels for each face, where these are fewer */
+#define CACHED_PIXELS UINT32_C(0x80000) /* pixels of a tile whose buffers stay in a cache */
 
 /* Returns about the number of faces behind the rasteriser: those of meshes, and six for any other shape. */
 static uint64_t face_count(const struct tia_scene *scene)
@@ -29,7 +29,8 @@ unsigned tia_strips_raster_rows(uint64_t faces, unsigned width, unsigned height,
 {
     unsigned share = (height + workers - 1) / workers;
     unsigned many = least(FACE_PIXELS * faces / width, share);
-    unsigned some = least(SOME_FACES * FACE_PIXELS * faces / width, CACHED_PIXELS / width);
+    unsigned cached = least(CACHED_PIXELS / width, share);
+    unsigned some = least(SOME_FACES * FACE_PIXELS * faces / width, cached);
     unsigned few = least(some > 4 * VIEWER_STRIP ? some : 4 * VIEWER_STRIP, share / 4);
 
     unsigned rows = many > few ? many : few, tiles = rows ? (height + rows - 1) / rows : height;
