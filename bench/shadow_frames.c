@@ -4,6 +4,7 @@
 #include "milliseconds.h"
 #include "shadow_scene.h"
 #include "simd_rays.h"
+#include "viewer/strips.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -56,7 +57,7 @@ struct shown {
 static void open_frame(struct shown *f, const struct tia_scene *scene, uint16_t width, uint16_t height)
 {
     f->area = (struct tia_tile){0, 0, width, height};
-    f->rows = shadow_strip_rows(scene, width, height);
+    f->rows = tia_strips_raster_rows(scene, width, height, 1);
     const struct tia_simd *simd = tia_simd_best();
     size_t sizes[3] = {tia_view_size(scene, scene->light_count), tia_hits_size(scene, f->area),
                        tia_simd_size(simd, scene, scene->light_count, 1)};

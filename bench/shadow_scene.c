@@ -2,7 +2,6 @@
 
 #include "milliseconds.h"
 #include "raster/target.h"
-#include "viewer/strips.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -82,23 +81,13 @@ void shadow_scene_make(struct shadow_scene *s, int level)
     shadow_must(tia_scene_check(&s->scene, NULL) == TIA_OK);
 }
 
-unsigned shadow_strip_rows(const struct tia_scene *scene, unsigned width, unsigned height)
-{
-    uint64_t faces = 0;
-
-    for (uint32_t i = 0; i < scene->mesh_count; i++)
-        faces += scene->meshes[i].face_count;
-    return tia_strips_raster_rows(faces, width, height, 1);
-}
-
 void shadow_passes_init(struct shadow_passes *p, const struct shadow_scene *s, struct tia_tile image, unsigned rows)
 {
     const unsigned buffers = TIA_BUFFER_DEPTH | TIA_BUFFER_COUNT;
     struct cancel never = {NULL, NULL, 0, false};
     size_t size = tia_flat_size(&s->scene);
 
-    p->height = image.height;
-    p->rows = (uint16_t)rows;
+    p->rows = rows;
     p->memory[0] = malloc(size);
     shadow_must(p->memory[0] &&
                 !tia_flat_init(&p->flat, p->memory[0], size, &s->scene, image.width, image.height, &never));
@@ -128,12 +117,12 @@ static void draw_pass(struct tia_raster_target *target, const struct shadow_pass
 
 void shadow_passes_draw(struct shadow_passes *p, enum shadow_pass pass, unsigned y, double *ms)
 {
-    struct tia_tile strip = p->target.area;
+    const struct tia_tile image = p->target.area;
+    struct tia_tile strip = {0, (uint16_t)y, image.width, 0};
     struct tia_raster_target target;
     double start = cpu_milliseconds();
 
-    strip.y = (uint16_t)y;
-    strip.height = (uint16_t)(p->height - y < p->rows ? p->height - y : p->rows);
+    strip.height = (uint16_t)(image.height - y < p->rows ? image.height - y : p->rows);
     shadow_must(!tia_raster_part(&target, &p->target, strip));
     draw_pass(&target, p, pass);
     *ms += cpu_milliseconds() - start;

@@ -34,7 +34,7 @@ struct shadow_passes {
     struct tia_flat_scene flat;
     tia_flat_light light;
     struct tia_raster_target target;
-    uint16_t height, rows; /* of the image, and of a strip */
+    unsigned rows; /* of a strip */
     void *memory[2];
 };
 
@@ -42,8 +42,6 @@ enum shadow_pass { SHADOW_DEPTH, SHADOW_ZFAIL, SHADOW_ZPASS, SHADOW_PASSES };
 
 /* Strips have `rows`. */
 void shadow_passes_init(struct shadow_passes *p, const struct shadow_scene *s, struct tia_tile image, unsigned rows);
-/* Returns the rows of a strip in tia with one thread. */
-unsigned shadow_strip_rows(const struct tia_scene *scene, unsigned width, unsigned height);
 /* Adds the milliseconds of a pass over a strip at row y. Counts need the depths of the same strip. */
 void shadow_passes_draw(struct shadow_passes *p, enum shadow_pass pass, unsigned y, double *ms);
 void shadow_passes_free(struct shadow_passes *p);

@@ -3,6 +3,7 @@
 #include "milliseconds.h"
 #include "shadow_scene.h"
 #include "shadows_gl.h"
+#include "viewer/strips.h"
 
 #include <stdio.h>
 
@@ -11,7 +12,7 @@
 static void measure(const struct shadow_scene *s, uint16_t width, uint16_t height)
 {
     const struct tia_tile image = {0, 0, width, height};
-    unsigned rows = shadow_strip_rows(&s->scene, width, height);
+    unsigned rows = tia_strips_raster_rows(&s->scene, width, height, 1);
     double ms[SHADOW_PASSES] = {0};
     struct shadow_passes p;
 

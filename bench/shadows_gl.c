@@ -12,6 +12,7 @@ void bench_shadows_gl(const char *driver)
 #include "milliseconds.h"
 #include "ports.h"
 #include "shadow_scene.h"
+#include "viewer/strips.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -126,7 +127,7 @@ static void time_once(struct gl_raster *gl, struct shadow_passes *p, size_t face
 {
     double depth = 0, zfail = 0;
 
-    for (unsigned y = 0; y < p->height; y += p->rows) {
+    for (unsigned y = 0; y < p->target.area.height; y += p->rows) {
         shadow_passes_draw(p, SHADOW_DEPTH, y, &depth);
         shadow_passes_draw(p, SHADOW_ZFAIL, y, &zfail);
     }
@@ -143,7 +144,7 @@ static void measure(struct gl_raster *gl, const struct shadow_scene *s, const ui
     struct times t = {{0, 0}, {0, 0}};
     struct shadow_passes p;
 
-    shadow_passes_init(&p, s, image, shadow_strip_rows(&s->scene, size[0], size[1]));
+    shadow_passes_init(&p, s, image, tia_strips_raster_rows(&s->scene, size[0], size[1], 1));
     double start = cpu_milliseconds();
     for (int round = 0; round < 2 || (round < ROUNDS && cpu_milliseconds() - start < PATIENCE); round++)
         time_once(gl, &p, faces, &t);

@@ -112,27 +112,30 @@ TEST(rows_of_tiles)
     }
 }
 
-/* Without memory for a variant of the scene, the key quits like others. A key that the scene binds has the scene's
- * effect. */
 /* Tiles behind the rasteriser: one at least for each worker, four where faces are few; all of about the same height. */
 TEST(rows_of_tiles_by_faces)
 {
     static const struct {
-        uint64_t faces;
+        uint32_t faces;
         unsigned width, height, workers, rows;
-    } cases[] = {{6, 640, 480, 1, 60},        {6, 640, 480, 2, 60},           {1000000, 640, 480, 1, 480},
-                 {1000000, 640, 480, 2, 240}, {100, 1920, 1080, 1, 64},       {5000, 1920, 1080, 1, 270},
-                 {5000, 1920, 1080, 2, 135},  {1000000, 1920, 1080, 3, 360},  {0, 1, 1, 1, 1},
-                 {0, 8192, 3, 8, 1},          {UINT64_MAX / 1000, 1, 7, 2, 4}};
+    } cases[] = {{6, 640, 480, 1, 60},        {6, 640, 480, 2, 60},          {1000000, 640, 480, 1, 480},
+                 {1000000, 640, 480, 2, 240}, {100, 1920, 1080, 1, 64},      {5000, 1920, 1080, 1, 270},
+                 {5000, 1920, 1080, 2, 135},  {1000000, 1920, 1080, 3, 360}, {0, 1, 1, 1, 1},
+                 {0, 8192, 3, 8, 1},          {UINT32_MAX, 1, 7, 2, 4}};
 
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         unsigned height = cases[i].height;
-        unsigned rows = tia_strips_raster_rows(cases[i].faces, cases[i].width, height, cases[i].workers);
+        const struct tia_mesh mesh = {.face_count = cases[i].faces};
+        const struct tia_shape shape = {.kind = TIA_MESH};
+        const struct tia_scene scene = {.meshes = &mesh, .mesh_count = 1, .shapes = &shape, .shape_count = 1};
+        unsigned rows = tia_strips_raster_rows(&scene, cases[i].width, height, cases[i].workers);
         CHECK_MSG(rows == cases[i].rows, "%u rows in case %zu, not %u", rows, i, cases[i].rows);
         CHECK(rows > 0 && rows <= height && (height % rows == 0 || height % rows > rows / 2));
     }
 }
 
+/* Without memory for a variant of the scene, the key quits like others. A key that the scene binds has the scene's
+ * effect. */
 TEST(whose_key_it_is)
 {
     struct world *w = yard_world();

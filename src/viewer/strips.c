@@ -25,8 +25,9 @@ static unsigned least(uint64_t a, unsigned b)
 /* Each tile sets up all faces, each of which takes as long as a few pixels. So tiles of scenes with many faces are
  * large, as long as each worker gets one. With fewer faces each worker gets four, as tiles take different times, and
  * their buffers, 16 bytes a pixel, stay in a cache. All tiles have about as many rows. */
-unsigned tia_strips_raster_rows(uint64_t faces, unsigned width, unsigned height, unsigned workers)
+unsigned tia_strips_raster_rows(const struct tia_scene *scene, unsigned width, unsigned height, unsigned workers)
 {
+    uint64_t faces = face_count(scene);
     unsigned share = (height + workers - 1) / workers;
     unsigned many = least(FACE_PIXELS * faces / width, share);
     unsigned cached = least(CACHED_PIXELS / width, share);
@@ -42,7 +43,6 @@ unsigned tia_viewer_strip_rows(const struct loop *loop)
 {
     if (loop->base->shadows == TIA_SHADOWS_TRACED)
         return VIEWER_STRIP;
-    unsigned rows =
-        tia_strips_raster_rows(face_count(loop->base), loop->mode.width, loop->mode.height, viewer_workers(loop));
+    unsigned rows = tia_strips_raster_rows(loop->base, loop->mode.width, loop->mode.height, viewer_workers(loop));
     return (rows + VIEWER_STRIP - 1) / VIEWER_STRIP * VIEWER_STRIP;
 }

@@ -52,7 +52,7 @@ export const settings = () => {
 
 // Numbers a change; no picture is complete until the worker has drawn one that shows it.
 function outdate() {
-  page.sent++;
+  page.change++;
   page.complete = false;
   $('crc').textContent = '\u2026';
 }
@@ -63,7 +63,7 @@ function ask(job) {
   kept = job.goesOn ? kept : null;
   pauses = null;
   whenPaused = [];
-  worker.postMessage({job: {settings: settings(), ...job}, sent: page.sent});
+  worker.postMessage({job: {settings: settings(), ...job}, change: page.change});
 }
 
 export const load = () => ({load: {name: page.scene, text: text(), extra}});
@@ -83,11 +83,11 @@ export function send(events) {
     whenPaused = [];
   }
   if (events.some(event => event.kind !== RELEASE && (event.kind !== POINT || event.drag))) outdate();
-  const {sent} = page;
+  const numbered = {events, change: page.change};
   if (!suspends && !idle && ready) {
     replace();
-    worker.postMessage({job: {settings: settings(), ...load(), goesOn: true, kept}, events, sent});
-  } else worker.postMessage({events, sent});
+    worker.postMessage({job: {settings: settings(), ...load(), goesOn: true, kept}, ...numbered});
+  } else worker.postMessage(numbered);
   idle = false;
 }
 

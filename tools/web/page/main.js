@@ -12,7 +12,7 @@ import {loadReference, startReference} from './reference.js';
 
 function hear(data) {
   if (data.frame) show(data.frame, data.pixels);
-  if (data.unchanged) showAgain(data.heard);
+  if (data.unchanged) showAgain(data.change);
   if (data.lines) drawRays(data.lines);
   if (data.loaded) showMistakes(null, page.scene);
   if (data.error) showMistakes(data.error, page.scene);

@@ -3,9 +3,9 @@
 export const $ = id => document.getElementById(id);
 
 // scene: name of the scene; pose: the keys that have set its lights, '-' for none, null if something else has moved one; eye: 'home' or
-// 'moved'; technique: 'own' or 'another', for shadows; sent: number of the last change that the worker was told; complete: the picture
-// shows it; frame: data of the last picture (worker.js); gallery: gallery.json.
-export const page = {scene: null, pose: '-', eye: 'home', technique: 'own', sent: 0, complete: false, frame: null, gallery: null, query: new URLSearchParams(location.search)};
+// 'moved'; technique: 'own' or 'another', for shadows; change: number of the last change, by a key or a setting; complete: the
+// picture shows it; frame: data of the last picture (worker.js); gallery: gallery.json.
+export const page = {scene: null, pose: '-', eye: 'home', technique: 'own', change: 0, complete: false, frame: null, gallery: null, query: new URLSearchParams(location.search)};
 
 let saying = 0;
 export function say(text) {

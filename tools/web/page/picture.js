@@ -45,8 +45,8 @@ function showComplete() {
   const crc = hex(page.frame.crc);
   page.complete = true;
   $('crc').textContent = crc;
-  if (page.frame.told) return;
-  page.frame.told = true;
+  if (page.frame.announced) return;
+  page.frame.announced = true;
   say(`${page.scene} drawn, CRC-32 ${crc}, ${judge(crc)}`);
   picture.dataset.complete = `${page.scene} ${crc}`;
 }
@@ -61,7 +61,7 @@ export function show(now, pixels) {
   $('progress').value = now.block > 1 ? now.done / 65536 : now.spp ? now.samples / now.spp : 1;
   $('time').textContent = now.block > 1 ? '\u2026' : now.spp ? `${now.samples} of ${now.spp} samples` : ms(now.drawUs);
   if (now.keyUs) $('latency').textContent = ms(now.keyUs);
-  if (now.settled && now.heard === page.sent) showComplete();
+  if (now.settled && now.change === page.change) showComplete();
   else showIncomplete();
   placeLight();
   picture.dataset.light = `${now.x} ${now.y}`;
@@ -72,8 +72,8 @@ export function show(now, pixels) {
 }
 
 // The picture stays as it is after the change of that number.
-export function showAgain(heard) {
-  if (page.frame && !page.complete && heard === page.sent) showComplete();
+export function showAgain(change) {
+  if (page.frame && !page.complete && change === page.change) showComplete();
 }
 
 export function placeLight() {

@@ -6,7 +6,7 @@ importScripts('worker-files.js', 'helper.js');
 const ESCAPE = 27, POINT = 3, DRAGGED = 0x200; // as in tia/port.h and port/web/web.h
 let run, suspends, job = null, busy = false, loaded = false, settings;
 let whole = false, drawn = ''; // the last picture is complete; its settings
-let heard = 0, settled = true; // number of the page's last change; the page knows that the last picture shows it
+let change = 0, settled = true; // number of the page's last change; the page knows that the last picture shows it
 let queue = [], wake = null;
 
 // ---- events ----
@@ -20,7 +20,7 @@ function rest(ms) {
   if (queue.length || ms === 0) return 0;
   if (whole && !settled) {
     settled = true;
-    postMessage({unchanged: true, heard});
+    postMessage({unchanged: true, change});
   }
   return new Promise(resolve => {
     const timer = ms > 0 ? setTimeout(() => wake(), ms) : 0;
@@ -67,7 +67,7 @@ function show(at, width, height, info) {
   frame.kept = bytes(frame.kept, frame.keptSize).slice();
   whole = frame.block === 1 && frame.samples >= frame.spp;
   settled = whole && !queue.length;
-  Object.assign(frame, {whole, settled, heard});
+  Object.assign(frame, {whole, settled, change});
   const pixels = expand(at, width * height);
   postMessage({frame, pixels}, [pixels]);
 }
@@ -160,7 +160,7 @@ async function work() {
     job = null;
     const goesOn = await prepare(now);
     queue = queue.filter(event => event.key !== ESCAPE);
-    if (goesOn === null) postMessage({unchanged: true, heard});
+    if (goesOn === null) postMessage({unchanged: true, change});
     if (job || !loaded || goesOn === null) continue;
     whole = false;
     drawn = JSON.stringify(settings);
@@ -205,7 +205,7 @@ onmessage = ({data}) => {
   if (data.helps || data.order) { startRows(data).catch(failed); return; }
   if (data.module) start(data.module, data.suspends).catch(failed);
   if (data.helper) addHelper(data.helper);
-  if (data.sent) { heard = data.sent; settled = false; }
+  if (data.change) { change = data.change; settled = false; }
   if (data.job) {
     job = data.job.load || !job ? data.job : {...job, settings: data.job.settings};
     queue = [{kind: 2, key: ESCAPE}];
