@@ -360,7 +360,7 @@ check-mutants:
 evidence: all $(addprefix $(BUILD)/tests/test_,$(file <tests/evidence/tests.txt))
 	@$(call python,$(alone) tests/evidence/evidence.py $(BUILD) $(PARTS))
 # The vector units' kernels once more, with their bounds scaled by the environment.
-SCALED_TESTS := ray_steps ray_areas ray_grids ray_spawned ray_sights ray_ends ray_tubes ray_pixels ray_edges ray_pairs ray_bounds simd_samples \
+SCALED_TESTS := ray_steps ray_scatter ray_areas ray_grids ray_spawned ray_sights ray_ends ray_tubes ray_pixels ray_edges ray_pairs ray_bounds simd_samples \
     simd_bounds simd_steps simd_pixels simd_cells simd_maps span_error steps
 check-bounds:
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)/scaled CFLAGS='$(CFLAGS) -DBOUND_SCALES=\"../tests/bound_scales.h\"' \

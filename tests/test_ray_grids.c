@@ -1,5 +1,5 @@
-/* src/simd/rays, empty cubes of grids, beside all of their cells; and rays that leap by them, beside rays that step.
- */
+/* src/simd/rays, empty cubes of grids, beside all of their cells; rays that leap by them, beside rays that step;
+ * and rays beside others within their error. */
 #include "one_lane.h"
 
 #include "float_modes.h"
@@ -74,6 +74,11 @@ static struct query met(struct trial *t, struct packet *p, bool leaps)
     return q;
 }
 
+static bool is_decided(const struct query *q)
+{
+    return q->t + q->e < q->low || q->low >= INFINITE;
+}
+
 static void try_leap(struct trial *t, unsigned long *sure, unsigned long *open)
 {
     struct packet p = {.o = v3_scale(v3_of(real_random()), 4 * some_part()), .d = v3_of(real_random())};
@@ -87,8 +92,7 @@ static void try_leap(struct trial *t, unsigned long *sure, unsigned long *open)
         p.o.y = 0.5 + 0.25 * floor(8 * random_double());
     }
     struct query a = met(t, &p, false), b = met(t, &p, true);
-    bool decided = a.t + a.e < a.low || a.low >= INFINITE, too = b.t + b.e < b.low || b.low >= INFINITE;
-    if (!decided || !too) {
+    if (!is_decided(&a) || !is_decided(&b)) {
         ++*open;
         return;
     }
@@ -112,11 +116,48 @@ TEST(leaps)
     CHECK_MSG(sure > 10 * open, "%lu sure, %lu open", sure, open);
 }
 
+/* Compares a nearly level ray with another that is turned by its error, more level still. Both meet the same plane,
+ * which is near their origin. */
+static void try_turned(struct trial *t, unsigned long *sure)
+{
+    struct packet p = {.o = v3_scale(v3_of(real_random()), 2 * some_part()), .d = v3_of(real_random())}, turned;
+    double side = some_sign();
+
+    p.ed = ldexp(1, -6 - (int)(random_bits() % 8));
+    p.d.x = side * p.ed * (1 + 3 * some_part());
+    p.d = v3_of(real_unit(real_of(p.d)));
+    p.o.x = -1 + 0.25 * floor(12 * some_part()) - 3 * p.d.x * some_part();
+    struct real d = real_of(p.d), level = real_unit(real_along((struct real){{-side, 0, 0}}, d, side * d.v[0]));
+    turned = p;
+    turned.d = v3_of(real_turned(d, level, 0.9999L * p.ed));
+    turned.ed = BOUND(FIRST_DIRECTION);
+    struct query a = met(t, &p, true), b = met(t, &turned, true);
+    if (!is_decided(&a) || !is_decided(&b))
+        return;
+    ++*sure;
+    CHECK_MSG((a.t >= INFINITE && b.t >= INFINITE) || fabs(a.t - b.t) <= a.e + b.e,
+              "%.17g, and %.17g when turned by %g", a.t, b.t, p.ed);
+}
+
+TEST(turned_rays)
+{
+    static struct trial t;
+    unsigned long sure = 0;
+
+    for (int i = 0; i < 400; i++) {
+        some_grid(&t);
+        for (int k = 0; k < 200; k++)
+            try_turned(&t, &sure);
+    }
+    CHECK_MSG(sure > 10000, "%lu sure", sure);
+}
+
 int main(void)
 {
     (void)trace;
     float_mode_of_simd();
     RUN(cubes);
     RUN(leaps);
+    RUN(turned_rays);
     return check_status();
 }

@@ -50,19 +50,24 @@ TEST(distances_of_texels)
     CHECK(shadow_kernels.keep && shadow_kernels.light && shadow_kernels.rays);
 }
 
-/* A distance halfway between two integers, and those next to it: a double cannot tell them apart. */
+/* A distance halfway between two integers, and those next to it: a double cannot tell them apart. In half of the cases
+ * the factor is a little above a power of two and the distance below one, so that the factor's rounding is the largest
+ * part of the distance. */
 TEST(distances_halfway)
 {
     struct tia_map map = {.parallel = false};
-    uint32_t got[LANES];
+    uint32_t got[64 + LANES];
 
-    for (int n = 0; n < RUNS; n++) {
-        int64_t d = (INT64_C(1) << 31) + (int64_t)(random_bits() >> 33);
-        int64_t odd = ((INT64_C(3) << 60) / d + (int64_t)(random_bits() % 1000)) | 1;
-        struct tia_map_plane p = {.c = d << 20, .factor = odd * d + n % 3 - 1, .places = -19};
-        keep_run(&map, &p, 0, 0, 1, got);
-        uint32_t want = tia_map_distance(&map, &p, 0, 0);
-        CHECK_MSG(*got == want, "%lld/%lld: %u, not %u", (long long)p.factor, (long long)p.c, *got, want);
+    for (int n = 0; n < 2 * RUNS; n++) {
+        bool far = n % 2;
+        int64_t d = (INT64_C(1) << 31) + (int64_t)(random_bits() >> (far ? 38 : 33));
+        int64_t odd = ((far ? INT64_C(1) << 61 : INT64_C(3) << 60) / d + (int64_t)(random_bits() % 1000)) | 1;
+        struct tia_map_plane p = {.c = d << 20, .x = 1, .factor = odd * d + n % 3 - 1, .places = -19};
+        keep_run(&map, &p, 0, 0, 16, got); /* plain C computes runs of few texels, and level ones */
+        for (int k = 0; k < 16; k++) {
+            uint32_t want = tia_map_distance(&map, &p, k, 0);
+            CHECK_MSG(got[k] == want, "%lld/%lld: %u, not %u", (long long)p.factor, (long long)p.c, got[k], want);
+        }
     }
 }
 

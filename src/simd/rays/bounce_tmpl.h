@@ -67,7 +67,7 @@ static void refract(const struct shade *h, vm glass, vd q, vd part, struct refra
     f->total = mand(mnot(f->straight), mor(vlt(inside, -ei), vlt(c, -ec)));
     f->bends = mand(mnot(f->straight), mand(vlt(ei, inside), vlt(ec, c)));
     vd root = vsqrt(vsel(f->bends, inside, vset(1)));
-    er = BOUND_OF(REFRACT_ROOT, ei / root) + BOUND(REFRACT_ROUNDING);
+    er = BOUND_OF(REFRACT_ROOT, root_error(ei, root)) + BOUND(REFRACT_ROUNDING);
     vd bend = x - root, rs = reflectance_of(x, root, BOUND_OF(REFRACT_ACROSS, ex + er), &fine, &es);
     vd rp = reflectance_of(square * c, root * part, BOUND_OF(REFRACT_PARALLEL, square * ec + er * part), &fine, &ep);
     vd fresnel = 0.5 * (rs * rs + rp * rp),

@@ -19,6 +19,7 @@
 #include "bounds/paths.h"
 #include "bounds/pictures.h"
 #include "bounds/rounds.h"
+#include "bounds/scatter.h"
 #include "bounds/shapes.h"
 #include "bounds/sights.h"
 #include "bounds/surfaces.h"

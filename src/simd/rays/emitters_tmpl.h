@@ -134,8 +134,8 @@ LANE_OP struct v3 ball_place(struct v3 way, struct v3 from, vd efrom, struct v3 
     vd es = BOUND_OF(SPHERE_SQUARE, 2 * r * lambda + all * all + round);
     vm good = vlt(es, s);
     vd thc = vsqrt(vsel(good, s, vset(1))),
-       ethc = BOUND_OF(SPHERE_HALF_CHORD,
-                       (2 * r * lambda + all * all + round) / thc + BOUND(SPHERE_ROOT_UNIT) + BOUND(SPHERE_ROOT) * r);
+       ethc = BOUND_OF(SPHERE_HALF_CHORD, root_error(2 * r * lambda + all * all + round, thc) +
+                                              BOUND(SPHERE_ROOT_UNIT) + BOUND(SPHERE_ROOT) * r);
     vd across = BOUND_OF(SPHERE_POINT_ACROSS, lambda + thc * ed),
        beside = BOUND_OF(SPHERE_POINT_ALONG, r * ed + ethc + all * ed);
 

@@ -31,10 +31,11 @@ static void add_part(struct path_state *f, unsigned lanes, const struct paths *p
  * direction, and p that of sampling this emitter, one of n. */
 LANE_OP struct ve weight_of(const struct sure_paths *paths, const struct paths *p, struct ve chosen, vm *fine)
 {
-    struct ve q = p->density, sum = {q.v + chosen.v * paths->one_of, q.e + chosen.e * paths->one_of};
-    vm specular = mof(p->specular), good = vlt(BOUND(BALANCE_KNOWN) * sum.e, sum.v);
-    vd whole = vsel(good, sum.v, vset(1)), v = q.v / whole;
-    vd e = BOUND_OF(BALANCE, BOUND(BALANCE_QUOTIENT) * (q.e + v * sum.e) / whole) + BOUND(BALANCE_ROUNDING);
+    struct ve q = p->density, other = {chosen.v * paths->one_of, chosen.e * paths->one_of};
+    vm specular = mof(p->specular), good = vlt(BOUND(BALANCE_KNOWN) * (q.e + other.e), q.v + other.v);
+    vd inverse = 1 / vsel(good, q.v + other.v, vset(1)), v = q.v * inverse;
+    vd e = BOUND_OF(BALANCE, BOUND(BALANCE_QUOTIENT) * inverse * (other.v * inverse * q.e + v * other.e)) +
+           BOUND(BALANCE_ROUNDING);
 
     *fine = mor(specular, mand(*fine, good));
     return ve_of(vsel(specular, vset(1), v), vsel(specular, vset(0), e));

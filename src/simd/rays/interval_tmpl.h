@@ -61,15 +61,14 @@ LANE_OP struct ve ve_div(struct ve a, struct ve b, vm *fine)
                               vabs(v) * BOUND(QUOTIENT) + BOUND(QUOTIENT_UNIT)};
 }
 
-/* Returns the square root of a. Clears *fine in lanes whose a may be negative. The error follows from |sqrt a - sqrt b|
- * <= |a - b|/sqrt a. */
+/* Returns the square root of a. Clears *fine in lanes whose a may be negative. */
 LANE_OP struct ve ve_sqrt(struct ve a, vm *fine)
 {
     vm good = vlt(a.e, a.v);
     vd v = vsqrt(vsel(good, a.v, vset(1)));
 
     *fine = mand(*fine, good);
-    return (struct ve){v, BOUND_OF(INTERVAL_ROOT, a.e / v) + v * BOUND(ROOT) + BOUND(ROOT_UNIT)};
+    return (struct ve){v, BOUND_OF(INTERVAL_ROOT, root_error(a.e, v)) + v * BOUND(ROOT) + BOUND(ROOT_UNIT)};
 }
 
 LANE_OP vm ve_less(struct ve a, struct ve b)

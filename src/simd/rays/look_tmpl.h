@@ -47,19 +47,21 @@ static void find_sights(struct path_state *f, unsigned lanes, const uint32_t whi
 }
 
 /* Adds reflectance times radiance, divided by the sum of the densities with which the path could have chosen the
- * sampled point. */
-static void add_sights(struct path_state *f, unsigned lanes, const struct paths *p, const struct response *r,
+ * sampled point; scattering chooses points of a surface only. */
+static void add_sights(struct path_state *f, unsigned lanes, const struct paths *p, const struct shade *h,
                        const struct emitter_view *a, const vd radiance[3], unsigned surface)
 {
     const double one_of = f->gather->scene->paths->one_of;
+    struct response *r = &f->response;
     vm m = mof(surface);
-    struct ve density = {vsel(m, a->density.v * one_of + r->density.v, vset(one_of)),
-                         vsel(m, a->density.e * one_of + r->density.e, vset(0))};
+    struct ve chosen = {vsel(m, a->density.v * one_of, vset(one_of)), vsel(m, a->density.e * one_of, vset(0))};
+
+    drop_density(m, r);
+    struct ve density = {chosen.v + r->density.v, chosen.e + r->density.e};
     vm fine = mand(vlt(BOUND(SHARE_KNOWN) * density.e, density.v),
                    mand(vlt(vset(BOUND(SHARE_LEAST)), density.v), vlt(density.v, vset(1e15))));
-    vd inverse = 1 / vsel(fine, density.v, vset(1)), most = most3(r->rgb), part[3], bright = most3(radiance);
-    vd share = most * inverse, eshare = BOUND_OF(SHARE, BOUND(SHARE_QUOTIENT) * inverse * (r->e + share * density.e)) +
-                                        BOUND(SHARE_UNIT) + share * BOUND(SHARE_ROUNDING);
+    vd inverse = 1 / vsel(fine, density.v, vset(1)), part[3], bright = most3(radiance);
+    vd share = most3(r->rgb) * inverse, eshare = reflectance_error(h, r, chosen, inverse, share);
 
     fine = mand(fine, vlt(share + eshare, vset(65536)));
     fine = mand(fine, vlt(bright, vset(65536)));
@@ -93,7 +95,6 @@ static unsigned look_for_lights(struct path_state *f, unsigned lanes, const stru
     uint32_t which[LANES], ends[LANES];
     unsigned rough = 0, surface;
     const struct emitter_view *a = &f->sight;
-    struct response *r = &f->response;
     struct shadow *shadow = &f->shadow;
     vd radiance[3];
     vu u[2];
@@ -134,8 +135,8 @@ static unsigned look_for_lights(struct path_state *f, unsigned lanes, const stru
     rough &= ~mbits(shadow->blocked);
     if (!rough)
         return lanes;
-    respond(h, l, &of, r);
-    add_sights(f, rough, p, r, a, radiance, surface);
+    respond(h, l, &of, &f->response);
+    add_sights(f, rough, p, h, a, radiance, surface);
     return lanes;
 }
 

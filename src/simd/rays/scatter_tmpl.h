@@ -1,7 +1,7 @@
 /* scatter_tmpl.h - BSDF sampling and evaluation: render/path/scatter.c in doubles.
  *
  * Parameters: the doubles of isa/isa.h. Defines: lobes_of(), lobes_mirror(), cosines_of(), respond(),
- * phong_direction(), struct lobes, struct cosines, struct response.
+ * reflectance_error(), phong_direction(), struct lobes, struct cosines, struct response.
  *
  * The chances of a material's lobes are equal to those of the fixed-point code, or undecided. */
 #ifndef TIA_SIMD_RAYS_SCATTER_TMPL_H
@@ -104,10 +104,15 @@ LANE_OP void lobes_mirror(const struct shade *h, struct lobes *l)
     l->mirrored = mirrored_at(h, &l->emirrored);
 }
 
-/* The reflected part of light from a direction, times the cosine, within e; and the density of this direction. */
+/* The part of the light from a direction that is reflected, times the cosine x: N = x (C + H p). p is the cosine to the
+ * mirrored direction, raised to the material's exponent n. C is the colour; H = (n + 2)/2 specular; 0 without a glossy
+ * lobe, as is p. `density` is that of the direction, D = B x + G p. */
 struct response {
-    vd rgb[3], e;
+    vd rgb[3];
     struct ve density;
+    vd cosine, ecosine, power, epower; /* x, p, and their errors */
+    vd broad[3], narrow, diffuse;      /* H, G, B */
+    vd ergb, edensity;                 /* errors of N and D other than by x and p */
 };
 
 /* A direction's cosines to the normal and to the mirrored direction, with their errors. */
@@ -124,37 +129,80 @@ LANE_OP struct cosines cosines_of(const struct shade *h, const struct lobes *l, 
 
 static void add_glossy(const struct shade *h, const struct lobes *l, const struct cosines *of, struct response *r)
 {
-    vm m = mof(l->glossy);
-    vd x = vmin(vmax(of->mirrored, vset(0)), vset(1)), n = h->exponent, p = power(x, n), cosine = of->normal,
-       ecosine = of->enormal;
+    vm m = mof(l->glossy), away = vlt(of->mirrored, -of->emirrored);
+    vd x = vmin(vmax(of->mirrored, vset(0)), vset(1)), n = h->exponent, p = power(x, n);
     vd ep = BOUND_OF(LOBE_POWER, power_turn(x, of->emirrored, n, p)) + vset(BOUND(POWER));
-    vd broad = 0.5 * (n + 2), narrow = 0.5 * (n + 1), height = broad * p, most = most3(h->specular);
-    vd e = BOUND_OF(LOBE_REFLECTED, most * (broad * ep * (cosine + ecosine) + height * ecosine)) +
-           BOUND(LOBE_UNITS) * (1 + most);
+    vd broad = 0.5 * (n + 2), narrow = 0.5 * (n + 1);
 
-    for (int c = 0; c < 3; c++)
-        r->rgb[c] = r->rgb[c] + vsel(m, h->specular[c] * height * cosine, vset(0));
-    r->e = r->e + vsel(m, e, vset(0));
-    vd part = l->chance[CHANCE_GLOSSY] * narrow;
-    r->density.v = r->density.v + vsel(m, part * p, vset(0));
-    r->density.e =
-        r->density.e + vsel(m,
-                            BOUND_OF(LOBE_DENSITY, part * ep) + BOUND_OF(LOBE_SPREAD, l->spread * narrow * (p + ep)) +
-                                BOUND(LOBE_DENSITY_UNITS),
-                            vset(0));
+    r->power = vsel(m, p, vset(0));
+    r->epower = vsel(mand(m, mnot(away)), ep, vset(0)); /* both powers are 0 in directions away from the mirrored one */
+    r->narrow = vsel(m, l->chance[CHANCE_GLOSSY] * narrow, vset(0));
+    for (int c = 0; c < 3; c++) {
+        r->broad[c] = vsel(m, h->specular[c] * broad, vset(0));
+        r->rgb[c] = r->rgb[c] + r->broad[c] * r->power * r->cosine;
+    }
+    r->density.v = r->density.v + r->narrow * r->power;
+    r->ergb = r->ergb + vsel(m, BOUND(LOBE_UNITS) * (1 + most3(h->specular)), vset(0));
+    r->edensity =
+        r->edensity +
+        vsel(m, BOUND_OF(LOBE_SPREAD, l->spread * narrow * (r->power + r->epower)) + BOUND(LOBE_DENSITY_UNITS),
+             vset(0));
 }
 
 /* Evaluates the response to light from a direction. */
 LANE_OP void respond(const struct shade *h, const struct lobes *l, const struct cosines *of, struct response *r)
 {
-    for (int c = 0; c < 3; c++)
+    vd most = of->normal + of->enormal;
+
+    r->cosine = of->normal;
+    r->ecosine = of->enormal;
+    r->diffuse = l->chance[CHANCE_DIFFUSE];
+    r->power = r->epower = r->narrow = vset(0);
+    for (int c = 0; c < 3; c++) {
         r->rgb[c] = h->colour[c] * of->normal;
-    r->e = BOUND_OF(DIFFUSE_REFLECTED, most3(h->colour) * of->enormal + h->ecolour) + BOUND(DIFFUSE_UNITS);
-    r->density = ve_of(l->chance[CHANCE_DIFFUSE] * of->normal, BOUND_OF(DIFFUSE_DENSITY, of->enormal) +
-                                                                   BOUND_OF(DIFFUSE_SPREAD, l->spread) +
-                                                                   BOUND(DIFFUSE_DENSITY_ROUNDING));
+        r->broad[c] = vset(0);
+    }
+    r->density.v = r->diffuse * of->normal;
+    r->ergb = BOUND_OF(DIFFUSE_COLOUR, h->ecolour * most) + BOUND(DIFFUSE_UNITS);
+    r->edensity = BOUND_OF(DIFFUSE_SPREAD, l->spread * most);
     if (l->glossy)
         add_glossy(h, l, of, r);
+    r->density.e = BOUND_OF(DIFFUSE_DENSITY, r->diffuse * of->enormal) + BOUND_OF(LOBE_DENSITY, r->narrow * r->epower) +
+                   BOUND(DIFFUSE_DENSITY_ROUNDING) + r->edensity;
+}
+
+/* Takes away the densities of directions in the lanes outside of m. */
+LANE_OP void drop_density(vm m, struct response *r)
+{
+    r->narrow = vsel(m, r->narrow, vset(0));
+    r->diffuse = vsel(m, r->diffuse, vset(0));
+    r->edensity = vsel(m, r->edensity, vset(0));
+    r->density = ve_sel(m, r->density, ve_of(vset(0), vset(0)));
+}
+
+/* Returns the error of N/D, D = A + B x + G p being all densities together; `other` is A, `inverse` 1/D, and `share`
+ * the largest N/D. N and D depend on the same x and p, so most of their errors cancel: with the fixed-point x', p' and
+ * A',
+ *
+ *     N D' - N' D = (p - p') x (H (A + B x') - G C) + (x - x') (C + H p') (A + G p) + N (A' - A).
+ *
+ * The errors of C, B and G, and roundings, add (dN + N/D dD)/D'. D' is at least 15/16 D, as D is above 16 times its
+ * error. The first term is a difference; what it is rounded by, 4 u H (A + B) at most, is covered by the error of x,
+ * which is at least 16 u and multiplies as much. */
+LANE_OP vd reflectance_error(const struct shade *h, const struct response *r, struct ve other, vd inverse, vd share)
+{
+    vd cross = vset(0), lit = vset(0);
+
+    for (int c = 0; c < 3; c++) {
+        vd change = vabs(r->broad[c] * (other.v + r->diffuse * r->cosine) - r->narrow * h->colour[c]);
+        cross = vmax(cross, change + r->broad[c] * (other.v + r->diffuse) * r->ecosine);
+        lit = vmax(lit, h->colour[c] + r->broad[c] * (r->power + r->epower));
+    }
+    vd turned = BOUND_OF(SHARE_POWER, r->epower * r->cosine * cross) +
+                BOUND_OF(SHARE_COSINE, r->ecosine * lit * (other.v + r->narrow * r->power));
+    vd e = BOUND_OF(SHARE_REFLECTED, r->ergb) + BOUND_OF(SHARE_DENSITY, share * (r->edensity + other.e));
+
+    return BOUND(SHARE_QUOTIENT) * inverse * (turned * inverse + e) + BOUND(SHARE_UNIT) + share * BOUND(SHARE_ROUNDING);
 }
 
 /* Returns directions of Phong's lobe around z, computed by the fixed-point code: a bound of doubles would be wide. */

@@ -9,8 +9,8 @@
  *     es = 2 |P| lambda + all^2 + 32 u r^2.
  *
  * If s < -es, the ray certainly misses. Otherwise |P| is at most r, except in lanes that are undecided anyway. thc is
- * within es/sqrt(s) + U + 4 u r, as |sqrt a - sqrt b| <= |a - b|/sqrt a. t is within the sum of eo, |P| ed, the bound
- * of thc and the roundings of tca. The point relative to C is -(P + thc D). It is within lambda + thc ed across the
+ * within the root's error by es, see root_error(), and U + 4 u r. t is within the sum of eo, |P| ed, the bound of thc
+ * and the roundings of tca. The point relative to C is -(P + thc D). It is within lambda + thc ed across the
  * ray, and within |P| ed and the bound of thc along the ray. ep is the hypotenuse of both, and 2 U.
  *
  * As these two bounds are separate, a direction is within lambda/(r cos) + ed after a bounce; with a single bound, this
@@ -38,8 +38,8 @@ LANE_OP bool find_sphere(const struct query *q, struct v3 at, vd r, struct hit_r
     if (!any(mor(hit, unclear)))
         return false;
     vd aside = vmin(vsqrt(p2) + all, r), thc = vsqrt(vmax(s, es)), more = all * p->ed;
-    vd ethc = BOUND_OF(SPHERE_HALF_CHORD, (2 * aside * lambda + all * all + round) / thc + BOUND(SPHERE_ROOT_UNIT) +
-                                              BOUND(SPHERE_ROOT) * r);
+    vd ethc = BOUND_OF(SPHERE_HALF_CHORD, root_error(2 * aside * lambda + all * all + round, thc) +
+                                              BOUND(SPHERE_ROOT_UNIT) + BOUND(SPHERE_ROOT) * r);
     vd along = BOUND_OF(SPHERE_POINT_ALONG, aside * p->ed + ethc + more);
     vd across = BOUND_OF(SPHERE_POINT_ACROSS, lambda + thc * p->ed);
     vd e = BOUND_OF(SPHERE_DISTANCE, p->eo + l1 * BOUND(SPHERE_ALONG) + BOUND(SPHERE_ALONG_UNIT) + along);

@@ -1,8 +1,8 @@
 /* vector_tmpl.h - 3D vectors whose components have one number per lane.
  *
- * Parameters: the doubles of isa/isa.h. Defines: struct v3 and its operations v3_*(), v3_unit(), vgather(), vfloor(),
- * vload(), vstore(), vpacked(), lane_of(), lane_at(), vspread(), v3_spread(), any(), mnone(), as_integers(),
- * as_doubles(), most3(), EACH_LANE(), INFINITE. */
+ * Parameters: the doubles of isa/isa.h. Defines: struct v3 and its operations v3_*(), v3_unit(), root_error(),
+ * vgather(), vfloor(), vload(), vstore(), vpacked(), lane_of(), lane_at(), vspread(), v3_spread(), any(), mnone(),
+ * as_integers(), as_doubles(), most3(), EACH_LANE(), INFINITE. */
 #ifndef TIA_SIMD_RAYS_VECTOR_TMPL_H
 #define TIA_SIMD_RAYS_VECTOR_TMPL_H
 
@@ -177,6 +177,16 @@ LANE_OP struct v3 v3_unit(struct v3 v, vd e, vd *ed)
 
     *ed = vsel(vlt(relative, vset(1.0 / 16)), relative * BOUND(UNIT_CHORD) + vset(BOUND(UNIT_ROUNDING)), vset(4));
     return v3_scale(v, inverse);
+}
+
+/* Returns the largest |sqrt a - sqrt a'| where a > 0 has this root and |a - a'| <= e. For y = e/a <= 1 it is root (1 -
+ * sqrt(1 - y)) = root y/(1 + sqrt(1 - y)), whose second factor is convex in y, 1/2 at 0 and 1 at 1, so at most (1 +
+ * y)/2. For y > 1 it is the root itself, or e/(2 root), and less than that. */
+LANE_OP vd root_error(vd e, vd root)
+{
+    vd inverse = 1 / root, half = 0.5 * (e * inverse);
+
+    return half + half * (e * inverse * inverse);
 }
 
 /* Initialises a vector with of(0), of(1), ..., one for each lane. The numbers go through registers: a load of a vector

@@ -85,9 +85,8 @@ static __attribute__((noinline)) void scatter_paths(struct path_state *f, unsign
         mixed |= (unsigned)(l->of[k]->below[2] != 0) << k;
     vm m = mof(mixed), fine = mor(mnot(m), mand(vlt(BOUND(SHARE_KNOWN) * r.density.e, r.density.v),
                                                 vlt(vset(BOUND(SHARE_LEAST)), r.density.v)));
-    vd share = most3(r.rgb) * inverse,
-       eshare = BOUND_OF(SHARE, BOUND(SHARE_QUOTIENT) * inverse * (r.e + share * r.density.e)) + BOUND(SHARE_UNIT);
-    vd factor = vsel(m, share, most3(h->colour)), efactor = vsel(m, eshare + share * BOUND(SHARE_ROUNDING), h->ecolour);
+    vd share = most3(r.rgb) * inverse, eshare = reflectance_error(h, &r, ve_of(vset(0), vset(0)), inverse, share);
+    vd factor = vsel(m, share, most3(h->colour)), efactor = vsel(m, eshare, h->ecolour);
     lanes = sure_of(f, lanes, mnot(mand(fine, vlt(factor, vset(4096)))), p->r.slot);
     for (int c = 0; c < 3; c++)
         next.r.weight[c] = p->r.weight[c] * vsel(m, r.rgb[c] * inverse, h->colour[c]);

@@ -290,8 +290,8 @@ FORMULA(REFRACT_INSIDE);
  * fixed point: 2^-58 and halves of 2^-62. Needed: 9.1 of 128 u. */
 #define BOUND_REFRACT_ROUNDING P2M(46)
 
-/* The error of the root of REFRACT_INSIDE's value: |sqrt a - sqrt b| <= |a - b|/sqrt a. REFRACT_ROUNDING is added for
- * the rounding of the root, u in doubles, and 2^-62, to which it is truncated, in fixed point. */
+/* The error of the root of REFRACT_INSIDE's value, see root_error(). REFRACT_ROUNDING is added for the rounding of the
+ * root, u in doubles, and 2^-62, to which it is truncated, in fixed point. */
 FORMULA(REFRACT_ROOT);
 
 /* The error of c `part`: exactly the error of c, times `part`. */

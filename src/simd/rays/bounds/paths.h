@@ -1,6 +1,6 @@
-/* paths.h - bounds of samples of light along paths: emitters_tmpl.h, scatter_tmpl.h, look_tmpl.h, ends_tmpl.h,
- * glass_tmpl.h, walk_paths_tmpl.h. P is the lit point, N a surface's normal, R the mirrored direction, L that to the
- * light, and b the distance from the surface at which new rays start. */
+/* paths.h - bounds of samples of light along paths: emitters_tmpl.h, look_tmpl.h, ends_tmpl.h, glass_tmpl.h,
+ * walk_paths_tmpl.h. P is the lit point, N a surface's normal, L the direction to the light, and b the distance from
+ * the surface at which new rays start. */
 #ifndef TIA_SIMD_RAYS_BOUNDS_PATHS_H
 #define TIA_SIMD_RAYS_BOUNDS_PATHS_H
 
@@ -177,96 +177,7 @@ FORMULA(BALL_END);
  * difference is exact. Unseen: hidden. */
 FORMULA(POINT_WAY);
 
-/* ---- lobes, see scatter_tmpl.h ---- */
-
-/* The factor of e/s in the relative error of a chance a/s, e being the error of s: s/(s - e), so 16/15, as s > 16 e.
- * The rest covers the roundings of the bound itself. Unseen: hidden. */
-#define BOUND_CHANCE_QUOTIENT 1.125
-
-/* The least diffuse part with which chances are decided, in multiples of its error e. Chosen together with
- * CHANCE_QUOTIENT. Unseen: choice. */
-#define BOUND_CHANCE_KNOWN 16
-
-/* The relative rounding of a chance a/s. In doubles: three sums and a quotient, 4 u. In fixed point: 2^-59. Needed: 4.1
- * of 8 u. Unseen: small. */
-#define BOUND_CHANCE_ROUNDING P2M(50)
-
-/* The rounding of a textured colour's largest channel in fixed point, beside the error of the texel: half a unit.
- * Needed: .5 of 1 U. Unseen: small. */
-#define BOUND_CHANCE_UNIT SURE_UNIT
-
-/* The error of a chance, a share of the sum s: the share, times CHANCE_QUOTIENT e/s and CHANCE_ROUNDING. Only the last
- * term of s, the colour, has an error, e. Unseen: hidden. */
-FORMULA(CHANCE);
-
-/* The error of R.L: the errors of both directions, as in FACING, and COSINE. Unseen: hidden. */
-FORMULA(LOBE_COSINE);
-
-/* The error of p = x^n, x = R.L: the slope of x^n times LOBE_COSINE, see power_turn(); POWER is added for the
- * roundings. Unseen: hidden. */
-FORMULA(LOBE_POWER);
-
-/* The error of (n + 2)/2 p c specular: the error of p times the cosine c, and the error of c times the height (n + 2)/2
- * p. Its roundings in doubles, 4 u of a height of at most 5001, are covered by POWER, which has 170 u more than needed.
- * Unseen: hidden. */
-FORMULA(LOBE_REFLECTED);
-
-/* The rounding of a glossy lobe's light in fixed point: half a unit of the height, times specular, and half a unit each
- * for the products with specular and with the cosine. Needed: 1 + most/2 of 3 (1 + most) U. Unseen: small. */
-#define BOUND_LOBE_UNITS (3 * SURE_UNIT)
-
-/* The error of the density of a glossy lobe: the error of p times (n + 1)/2 and the lobe's chance. Unseen: hidden. */
-FORMULA(LOBE_DENSITY);
-
-/* The error of the density of a glossy lobe by that of its chance, which is multiplied by (n + 1)/2 p. Unseen: hidden.
- */
-FORMULA(LOBE_SPREAD);
-
-/* The error of the density of a diffuse lobe by that of its chance, which is multiplied by a cosine. Unseen: hidden. */
-FORMULA(DIFFUSE_SPREAD);
-
-/* The rounding of the density of a glossy lobe in fixed point: half a unit of the height. Derived with LOBE_DENSITY.
- * Needed: .5 of 2 U. Unseen: small. */
-#define BOUND_LOBE_DENSITY_UNITS (2 * SURE_UNIT)
-
-/* The error of the colour times the cosine: the error of either, times the other, which is at most 1. Unseen: hidden.
- */
-FORMULA(DIFFUSE_REFLECTED);
-
-/* The rounding of the colour times the cosine in fixed point: half a unit. Derived with DIFFUSE_REFLECTED. Needed: .5
- * of 2 U. Unseen: small. */
-#define BOUND_DIFFUSE_UNITS (2 * SURE_UNIT)
-
-/* The rounding of the density of a diffuse lobe, its chance times the cosine. In doubles: u for the product. In fixed
- * point: 2^-61. Needed: 1.1 of 4 u. Unseen: small. */
-#define BOUND_DIFFUSE_DENSITY_ROUNDING P2M(51)
-
-/* The error of the density of a diffuse lobe: the error of the cosine, as the chance is at most 1. Unseen: hidden. */
-FORMULA(DIFFUSE_DENSITY);
-
 /* ---- sampled emitters and throughputs, see look_tmpl.h and walk_paths_tmpl.h ---- */
-
-/* The factor of (ex + x/q eq)/q in the error of a quotient x/q: x/q - x'/q' <= (ex + x/q eq)/(q - eq), and q > 16 eq,
- * so 16/15. The rest covers the roundings of the bound itself. */
-#define BOUND_SHARE_QUOTIENT 1.125
-
-/* The least density that is used as a divisor, in multiples of its error. Chosen together with SHARE_QUOTIENT. Unseen:
- * choice. */
-#define BOUND_SHARE_KNOWN 16
-
-/* The least density that is decided; the range of fixed-point densities ends at 2^-126. A choice, as is the largest
- * density, 10^15. Unseen: choice. */
-#define BOUND_SHARE_LEAST P2M(40)
-
-/* The relative rounding of reflectance over density. In doubles: 3 u for the density, two products and a sum, and 2 u
- * for an inverse and a product. In fixed point: 2^-59. Needed: 5.1 of 8 u. Unseen: small. */
-#define BOUND_SHARE_ROUNDING P2M(50)
-
-/* The rounding of reflectance over density in fixed point: half a unit. Needed: .5 of 1 U. Unseen: small. */
-#define BOUND_SHARE_UNIT SURE_UNIT
-
-/* The error of reflectance x over density q: SHARE_QUOTIENT times ex + x/q eq, over q. */
-FORMULA(SHARE);
 
 /* The error of the radiance times the falloff's factor: the error of the factor, times the radiance. Unseen: hidden. */
 FORMULA(SEEN_LIGHT);
@@ -275,14 +186,14 @@ FORMULA(SEEN_LIGHT);
  * .5 of 1 U. Unseen: small. */
 #define BOUND_SEEN_LIGHT_UNIT SURE_UNIT
 
-/* The error of SHARE's quotient times SEEN_LIGHT's light: the error of either, times the other. */
+/* The error of reflectance over density, times SEEN_LIGHT's light: the error of either, times the other. */
 FORMULA(SEEN_PART);
 
-/* The rounding of SHARE's quotient times SEEN_LIGHT's light in fixed point: half a unit. Needed: .5 of 2 U. Unseen:
- * small. */
+/* The rounding of reflectance over density, times SEEN_LIGHT's light, in fixed point: half a unit. Needed: .5 of 2 U.
+ * Unseen: small. */
 #define BOUND_SEEN_PART_UNITS (2 * SURE_UNIT)
 
-/* The relative rounding of SHARE's quotient times SEEN_LIGHT's light in doubles: three products. Derived with
+/* The relative rounding of reflectance over density, times SEEN_LIGHT's light, in doubles: three products. Derived with
  * SEEN_PART_UNITS. Needed: 3 of 8 u. Unseen: small. */
 #define BOUND_SEEN_PART_ROUNDING P2M(50)
 
@@ -338,19 +249,19 @@ FORMULA(ADDED_THROUGHPUT);
  * Unseen: small. */
 #define BOUND_ADDED_ROUNDING P2M(51)
 
-/* The factor of (eq + q/s es)/s in the error of a weight q/s: q/s - q'/s' <= (eq + q/s es)/(s - es), and s > 4 es, so
- * 4/3. The rest covers the roundings of the bound itself. Unseen: hidden. */
+/* The factor of the numerator over s^2 in BALANCE: s/(s - es), and s > 4 es, so 4/3. The rest covers the roundings of
+ * the bound itself. */
 #define BOUND_BALANCE_QUOTIENT 1.5
 
 /* The least sum s of a weight q/s, in multiples of its error es. Chosen together with BALANCE_QUOTIENT. Unseen: choice.
  */
 #define BOUND_BALANCE_KNOWN 4
 
-/* The rounding of a weight q/s. In doubles: u each for 1/n, a product, a sum and a quotient. In fixed point: 2^-59, and
- * a weight within 2^-62 of 1 is 1. Needed: 4.1 of 8 u. Unseen: small. */
+/* The rounding of a weight q/s. In doubles: u each for 1/n, two products, a sum and an inverse. In fixed point: 2^-59,
+ * and a weight within 2^-62 of 1 is 1. Needed: 5.1 of 8 u. Unseen: small. */
 #define BOUND_BALANCE_ROUNDING P2M(50)
 
-/* The error of the balance heuristic's weight q/s: BALANCE_QUOTIENT times eq + q/s es, over s. Unseen: hidden. */
+/* The error of the balance heuristic's weight q/s, s = q + b: q/s - q'/s' = (b (q - q') - q (b - b'))/(s s'). */
 FORMULA(BALANCE);
 
 /* The relative rounding of the radiance times the weight in doubles. Needed: 1 of 2 u. Unseen: small. */

@@ -68,8 +68,8 @@ FORMULA(SPHERE_ANY);
  * SPHERE_SQUARE_ROUNDING is added. */
 FORMULA(SPHERE_SQUARE);
 
-/* The error of thc = sqrt s: |sqrt a - sqrt b| <= |a - b|/sqrt a, a - b being the error of s with |P| at most `aside`;
- * SPHERE_ROOT_UNIT and SPHERE_ROOT. */
+/* The error of thc = sqrt s, see root_error(), by the error of s with |P| at most `aside`; SPHERE_ROOT_UNIT and
+ * SPHERE_ROOT. */
 FORMULA(SPHERE_HALF_CHORD);
 
 /* The error of the point along the ray, which is also a part of the error of t: |P| ed for the error of D, |P - P'| ed

@@ -58,7 +58,7 @@ FORMULA(INTERVAL_PRODUCT);
 /* The error of a/b: a/b - a'/b' = ((a - a') - (a/b) (b - b'))/b', |b'| >= |b| - e. */
 FORMULA(INTERVAL_QUOTIENT);
 
-/* The error of sqrt a: sqrt a - sqrt a' = (a - a')/(sqrt a + sqrt a') <= e/sqrt a. */
+/* The error of sqrt a: sqrt a - sqrt a' = (a - a')/(sqrt a + sqrt a'), see root_error(). */
 FORMULA(INTERVAL_ROOT);
 
 /* The error of a random direction around z, see direction_tmpl.h. In doubles each coordinate is within 2^-50: sine and
