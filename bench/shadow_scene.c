@@ -94,7 +94,8 @@ void shadow_passes_init(struct shadow_passes *p, const struct shadow_scene *s, s
     tia_flat_light_at(&p->flat, lamps, 0, &p->light);
     size = tia_raster_size(image, buffers, p->flat.face_count);
     p->memory[1] = malloc(size);
-    shadow_must(p->memory[1] &&
+    p->roles = malloc(p->flat.face_count);
+    shadow_must(p->memory[1] && p->roles &&
                 !tia_raster_init(&p->target, p->memory[1], size, &p->flat.grid, image, buffers, p->flat.face_count));
     p->target.planes = p->flat.planes;
     p->target.planes_known = true;
@@ -112,7 +113,8 @@ static void draw_pass(struct tia_raster_target *target, const struct shadow_pass
         return;
     }
     tia_raster_clear_count(target, 0);
-    shadow_must(!(pass == SHADOW_ZFAIL ? tia_shadow_zfail : tia_shadow_zpass)(target, &p->flat, &p->light, &never));
+    const struct tia_shadow_light light = {&p->light, p->roles};
+    shadow_must(!(pass == SHADOW_ZFAIL ? tia_shadow_zfail : tia_shadow_zpass)(target, &p->flat, light, &never));
 }
 
 void shadow_passes_draw(struct shadow_passes *p, enum shadow_pass pass, unsigned y, double *ms)
@@ -124,6 +126,10 @@ void shadow_passes_draw(struct shadow_passes *p, enum shadow_pass pass, unsigned
 
     strip.height = (uint16_t)(image.height - y < p->rows ? image.height - y : p->rows);
     shadow_must(!tia_raster_part(&target, &p->target, strip));
+    if (pass != SHADOW_DEPTH && y == 0) { /* once for all strips */
+        struct cancel never = {NULL, NULL, 0, false};
+        shadow_must(!tia_shadow_keep_roles(p->roles, &p->flat, &p->light, &never));
+    }
     draw_pass(&target, p, pass);
     *ms += cpu_milliseconds() - start;
 }
@@ -132,4 +138,5 @@ void shadow_passes_free(struct shadow_passes *p)
 {
     free(p->memory[0]);
     free(p->memory[1]);
+    free(p->roles);
 }

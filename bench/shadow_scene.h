@@ -34,7 +34,8 @@ struct shadow_passes {
     struct tia_flat_scene flat;
     tia_flat_light light;
     struct tia_raster_target target;
-    unsigned rows; /* of a strip */
+    unsigned rows;  /* of a strip */
+    uint8_t *roles; /* see tia_shadow_keep_roles() */
     void *memory[2];
 };
 

@@ -22,6 +22,7 @@ static struct tia_flat_face faces[FACES];
 static struct tia_flat_object objects[FACES];
 static struct tia_raster_vertex points[POINTS];
 static uint32_t across[TIA_SIDES * FACES];
+static struct tia_flat_rows rows[FACES];
 
 /* Returns a point or a direction. In orthographic views, w and h have swapped their roles. */
 static struct tia_raster_vertex vertex(const struct world *w, int64_t x, int64_t y, int64_t z, bool point)
@@ -33,7 +34,7 @@ static struct tia_raster_vertex vertex(const struct world *w, int64_t x, int64_t
 
 static void begin(struct world *w, enum tia_projection projection)
 {
-    *w = (struct world){.flat = {.objects = objects, .faces = faces, .across = across, .points = points}};
+    *w = (struct world){.flat = {.objects = objects, .faces = faces, .across = across, .points = points, .rows = rows}};
     w->flat.eye.projection = projection;
     CHECK(!tia_raster_grid_init(&w->flat.grid, projection, SIZE, SIZE, 1, 0, projection == TIA_ORTHOGRAPHIC ? 20 : 5));
 }
@@ -88,6 +89,8 @@ static void end(struct world *w, int32_t range, int32_t step)
 
     (void)tia_edges_join(across, faces, w->flat.face_count, room, &never);
     free(room);
+    for (uint32_t f = 0; f < w->flat.face_count; f++)
+        rows[f] = (struct tia_flat_rows){0, SIZE};
     for (uint32_t i = 0; i < w->flat.object_count; i++) {
         struct tia_flat_object *o = &objects[i];
         o->closed = true;
@@ -133,6 +136,20 @@ static void make_solids(struct world *w, uint32_t count, int32_t range, int32_t 
     }
 }
 
+/* Makes one object of the last `count` objects. */
+static void join_objects(struct world *w, uint32_t count)
+{
+    struct tia_flat_object *o = &objects[w->flat.object_count -= count - 1] - 1;
+
+    for (uint32_t i = 1; i < count; i++) {
+        o->face_count += o[i].face_count;
+        for (int k = 0; k < 3; k++) {
+            o->low[k] = o[i].low[k] < o->low[k] ? o[i].low[k] : o->low[k];
+            o->high[k] = o[i].high[k] > o->high[k] ? o[i].high[k] : o->high[k];
+        }
+    }
+}
+
 /* Adds an infinite plane through a random point, in two halves. */
 static void make_plane(struct world *w, int32_t range, int32_t step)
 {
@@ -151,8 +168,9 @@ static void make_plane(struct world *w, int32_t range, int32_t step)
     objects[w->flat.object_count - 1].kind = TIA_PLANE;
 }
 
-/* SMALL: a few solids, a plane and a light, at a distance that is large for their size. */
-enum contents { SOUP, SOLIDS, CROOKED, MIXED, SMALL };
+/* JOINED: an object of several solids. SMALL: a few solids, a plane and a light, at a distance that is large for their
+ * size. */
+enum contents { SOUP, SOLIDS, JOINED, CROOKED, MIXED, SMALL };
 
 static inline void make(struct world *w, enum contents contents, int32_t range, int32_t step)
 {
@@ -162,6 +180,8 @@ static inline void make(struct world *w, enum contents contents, int32_t range, 
         make_solids(w, 2 + (uint32_t)below(3), range / 25, step, 0);
     else if (contents != SOUP)
         make_solids(w, 2 + (uint32_t)below(3), range * 2 / 3, step, contents == CROOKED ? range / 5 : 0);
+    if (contents == JOINED)
+        join_objects(w, w->flat.object_count);
     if (contents == MIXED || contents == SMALL)
         make_plane(w, range, step);
 }

@@ -186,7 +186,7 @@ static void draw_exactly(struct view *v, const struct tia_scene *scene, struct p
     struct tia_raster_target t = target_of(v, &memory);
     drawn_count = 0;
     CHECK_EQ(tia_shadow_faces(&t, &v->flat, &never), TIA_OK);
-    CHECK_EQ(tia_shadow_zfail(&t, &v->flat, &v->light, &never), TIA_OK);
+    CHECK_EQ(tia_shadow_zfail(&t, &v->flat, (struct tia_shadow_light){&v->light, NULL}, &never), TIA_OK);
     take_picture(v, &t, p);
     free(memory);
 }

@@ -30,7 +30,7 @@ static void add_light(struct tia_raster_target *target, const struct world *w)
     static const uint16_t black[3] = {0, 0, 0};
 
     tia_raster_clear_stencil(target, 0, 255);
-    CHECK_EQ(tia_shadow_zfail(target, &w->flat, &w->light, &never), TIA_OK);
+    CHECK_EQ(tia_shadow_zfail(target, &w->flat, (struct tia_shadow_light){&w->light, NULL}, &never), TIA_OK);
     tia_raster_clear_colour(target, black);
     draw_lit_faces(target, w);
     tia_raster_sum_add(target, 1);

@@ -4,6 +4,7 @@
 
 #include "check.h"
 #include "random.h"
+#include "raster/target.h"
 #include "shadow/volume.h"
 
 #define WIDTH 160
@@ -77,6 +78,25 @@ static void *trace(const struct tia_scene *s, struct tia_hits **hits, void **mem
     return hit_memory;
 }
 
+/* Numbers of rows in strips, and of those that the faces may cover. */
+static unsigned rows, rows_covered;
+
+/* Draws strips of 1 to 9 rows, in which most faces are passed over. */
+static void draw_in_strips(struct tia_raster_target *target, const struct tia_flat_scene *flat)
+{
+    for (unsigned y = 0, height; y < HEIGHT; y += height) {
+        struct tia_raster_target strip;
+        height = 1 + y % 9;
+        height = height < HEIGHT - y ? height : HEIGHT - y;
+        const struct tia_tile area = {0, (uint16_t)y, WIDTH, (uint16_t)height};
+        CHECK(!tia_raster_part(&strip, target, area));
+        CHECK(!tia_shadow_faces(&strip, flat, &never));
+        for (uint32_t f = 0; f < flat->face_count; f++)
+            rows_covered += tia_flat_may_cover(flat, f, &area) ? height : 0;
+        rows += height * flat->face_count;
+    }
+}
+
 /* Returns the number of pixels that show a different object; seen[n] counts the pixels of object n, seen[0] also those
  * of the background. */
 static unsigned compare(const struct tia_flat_scene *flat, const struct tia_scene *s, unsigned *seen)
@@ -89,7 +109,7 @@ static unsigned compare(const struct tia_flat_scene *flat, const struct tia_scen
     unsigned differ = 0;
 
     CHECK(!tia_raster_init(&target, memory, size, &flat->grid, all, TIA_BUFFER_DEPTH, flat->face_count));
-    CHECK(!tia_shadow_faces(&target, flat, &never));
+    draw_in_strips(&target, flat);
     hit_memory = trace(s, &hits, &view);
     for (unsigned i = 0; i < WIDTH * HEIGHT; i++) {
         uint32_t face = target.face[i], object = TIA_NO_OBJECT;
@@ -144,6 +164,7 @@ static void check_cameras(struct tia_camera camera)
     }
     for (size_t i = 0; i < sizeof shapes / sizeof *shapes; i++)
         CHECK_MSG(seen[i] > 200 || i == 1, "object %zu is seen by %u pixels", i, seen[i]);
+    CHECK_MSG(rows_covered < rows / 2, "%u of %u rows may be covered", rows_covered, rows);
 }
 
 TEST(perspective)

@@ -40,7 +40,8 @@ static void open_picture(struct picture *p, const struct tia_scene *scene)
     *p = (struct picture){.view.scene = scene, .tile.lit = p->lit};
     p->flat = malloc(size);
     CHECK(!tia_flat_init(&p->view.flat, p->flat, size, scene, WIDTH, HEIGHT, &never));
-    p->view.own = p->own = malloc((size_t)technique->own_size(scene));
+    p->view.own_size = technique->own_size(scene);
+    p->view.own = p->own = malloc((size_t)p->view.own_size);
     set_lights(p);
     size = tia_raster_size(all, TIA_BUFFER_DEPTH | TIA_BUFFER_COUNT, p->view.flat.face_count);
     p->target = malloc(size);

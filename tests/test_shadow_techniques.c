@@ -30,8 +30,9 @@ static void open_drawing(struct drawing *d, const struct world *w)
     size_t size = tia_raster_size(all, buffers, w->flat.face_count);
 
     d->memory = malloc(size);
-    d->own = malloc(4096 + tia_casters_size(FACES));
-    d->view = (struct tia_shadow_view){.scene = &d->scene, .flat = w->flat, .sample_count = 1, .own = d->own};
+    d->view = (struct tia_shadow_view){
+        .scene = &d->scene, .flat = w->flat, .sample_count = 1, .own_size = 4096 + tia_casters_size(FACES)};
+    d->view.own = d->own = malloc((size_t)d->view.own_size);
     d->view.samples[0] = w->light;
     CHECK(!tia_raster_init(&d->tile.target, d->memory, size, &d->view.flat.grid, all, buffers, w->flat.face_count));
     CHECK(!tia_shadow_faces(&d->tile.target, &d->view.flat, &never));
@@ -190,20 +191,24 @@ TEST(passes_over_faces_stop)
     make(&w, SOLIDS, 500, 1);
     end(&w, 500, 1);
     open_drawing(&d, &w);
+    const struct tia_shadow_light light = {&w.light, NULL};
     struct cancel cancel = stopper(&asked);
     CHECK_EQ(tia_shadow_faces(&d.tile.target, &d.view.flat, &cancel), TIA_STOPPED);
     cancel = stopper(&asked);
-    CHECK_EQ(tia_shadow_zfail(&d.tile.target, &d.view.flat, &w.light, &cancel), TIA_STOPPED);
+    CHECK_EQ(tia_shadow_zfail(&d.tile.target, &d.view.flat, light, &cancel), TIA_STOPPED);
     cancel = stopper(&asked);
-    CHECK_EQ(tia_shadow_zpass(&d.tile.target, &d.view.flat, &w.light, &cancel), TIA_STOPPED);
+    CHECK_EQ(tia_shadow_zpass(&d.tile.target, &d.view.flat, light, &cancel), TIA_STOPPED);
     for (int i = 0; i < PIXELS; i++)
         CHECK_EQ(d.tile.target.count[i], 0);
     cancel = stopper(&asked);
-    (void)tia_shadow_count_eye(&d.view.flat, &w.light, &count, &cancel);
+    (void)tia_shadow_count_eye(&d.view.flat, light, &count, &cancel);
     CHECK(asked == 1 && count == 0);
     cancel = stopper(&asked);
-    (void)tia_shadow_count_far(&d.view.flat, &w.light, &count, &cancel);
+    (void)tia_shadow_count_far(&d.view.flat, light, &count, &cancel);
     CHECK(asked == 1 && count == 0);
+    cancel = stopper(&asked);
+    CHECK_EQ(tia_shadow_keep_roles(d.own, &d.view.flat, &w.light, &cancel), TIA_STOPPED);
+    CHECK_EQ(asked, 1);
     close_drawing(&d);
 }
 

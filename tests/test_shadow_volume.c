@@ -9,7 +9,7 @@
 /* ---- comparisons ---- */
 
 struct tally {
-    uint32_t worlds, pixels, seen, dark, faces_wrong, wrong[2], rays_wrong, unsure[2];
+    uint32_t worlds, pixels, seen, dark, faces_wrong, wrong[2], rays_wrong, unsure[2], counts_wrong;
 };
 
 /* State of z-fail or z-pass: the target, and the number of volumes that contain the far ends (z-fail) or the starts
@@ -21,9 +21,10 @@ struct technique {
     bool sure;
 };
 
-static bool is_lit_by(const struct technique *t, size_t at)
+/* Returns the number of volumes that contain the point at a pixel. */
+static uint32_t count_at(const struct technique *t, size_t at)
 {
-    return t->target.count[at] + t->count == 0;
+    return t->target.count[at] + t->count;
 }
 
 /* True if tia_occluder_hides finds a face that hides the light from the point of `face` at pixel (i, j); `face` is
@@ -59,7 +60,8 @@ static void compare_pixel(const struct world *w, const struct technique how[2], 
     t->seen++;
     t->dark += !lit;
     for (int k = 0; k < 2; k++)
-        t->wrong[k] += how[k].sure && (turned && is_lit_by(&how[k], at)) != lit;
+        t->wrong[k] += how[k].sure && (turned && count_at(&how[k], at) == 0) != lit;
+    t->counts_wrong += how[0].sure && how[1].sure && count_at(&how[0], at) != count_at(&how[1], at);
     t->rays_wrong += (turned && !is_hidden(w, how[0].target.planes, face, i, j)) != lit;
 }
 
@@ -76,15 +78,18 @@ static void prepare(struct technique *how, const struct world *w)
 
 static void compare(const struct world *w, struct tally *t)
 {
+    static uint8_t roles[FACES];
+    const struct tia_shadow_light kept = {&w->light, roles}, light[2] = {kept, {&w->light, NULL}};
+    unsigned by = t->worlds++ % 2; /* z-fail by roles, z-pass without, or the reverse */
     struct technique how[2];
 
     for (int k = 0; k < 2; k++)
         prepare(&how[k], w);
-    CHECK(!tia_shadow_zfail(&how[0].target, &w->flat, &w->light, &never));
-    CHECK(!tia_shadow_zpass(&how[1].target, &w->flat, &w->light, &never));
-    how[0].sure = tia_shadow_count_far(&w->flat, &w->light, &how[0].count, &never);
-    how[1].sure = tia_shadow_count_eye(&w->flat, &w->light, &how[1].count, &never);
-    t->worlds++;
+    CHECK(!tia_shadow_keep_roles(roles, &w->flat, &w->light, &never));
+    CHECK(!tia_shadow_zfail(&how[0].target, &w->flat, light[by], &never));
+    CHECK(!tia_shadow_zpass(&how[1].target, &w->flat, light[!by], &never));
+    how[0].sure = tia_shadow_count_far(&w->flat, light[by], &how[0].count, &never);
+    how[1].sure = tia_shadow_count_eye(&w->flat, light[!by], &how[1].count, &never);
     for (int j = 0; j < SIZE; j++)
         for (int i = 0; i < SIZE; i++)
             compare_pixel(w, how, i, j, t);
@@ -100,6 +105,7 @@ static void check_tally(const struct tally *t, bool ties, bool flat)
     CHECK_EQ(t->wrong[0], 0);
     CHECK_EQ(t->wrong[1], 0);
     CHECK_EQ(t->rays_wrong, 0);
+    CHECK_EQ(t->counts_wrong, 0);
     CHECK_MSG(t->seen > t->pixels / 20 && t->dark > t->seen / 8 && t->dark < t->seen - t->seen / 20,
               "%u of %u see a face, %u are dark", t->seen, t->pixels, t->dark);
     for (int k = 0; k < 2; k++)
@@ -139,6 +145,7 @@ TEST(solids)
 {
     check_worlds(TIA_PERSPECTIVE, SOLIDS, false);
     check_worlds(TIA_ORTHOGRAPHIC, SOLIDS, false);
+    check_worlds(TIA_PERSPECTIVE, JOINED, false);
     check_worlds(TIA_PERSPECTIVE, CROOKED, false);
     check_worlds(TIA_ORTHOGRAPHIC, CROOKED, false);
 }

@@ -2,6 +2,7 @@
 
 #include "math/align.h"
 #include "math/wide.h"
+#include "raster/polygon.h"
 #include "raster/target.h"
 
 /* ---- counting ---- */
@@ -64,7 +65,8 @@ size_t tia_flat_size(const struct tia_scene *scene)
     uint64_t size = ALIGN((uint64_t)n.objects * sizeof(struct tia_flat_object)) +
                     ALIGN(n.faces * sizeof(struct tia_flat_face)) + ALIGN(n.faces * TIA_SIDES * sizeof(uint32_t)) +
                     ALIGN(n.faces * tia_flat_samples(scene) * sizeof(struct tia_raster_plane)) +
-                    ALIGN(n.points * sizeof(struct tia_raster_vertex)) + ALIGN(room_size(n));
+                    ALIGN(n.points * sizeof(struct tia_raster_vertex)) + ALIGN(n.faces * sizeof(struct tia_flat_rows)) +
+                    ALIGN(room_size(n));
     return size < SIZE_MAX ? (size_t)size : SIZE_MAX;
 }
 
@@ -120,18 +122,6 @@ static void add_faces(struct tia_flat_scene *flat, const struct tia_flat_source 
     }
 }
 
-bool tia_flat_is_direction(const struct tia_flat_scene *flat, const struct tia_raster_vertex *v)
-{
-    return flat->eye.projection == TIA_ORTHOGRAPHIC ? v->w == 0 : v->h == 0;
-}
-
-void tia_flat_affine(const struct tia_flat_scene *flat, const struct tia_raster_vertex *v, int64_t out[3])
-{
-    out[0] = v->x;
-    out[1] = v->y;
-    out[2] = flat->eye.projection == TIA_ORTHOGRAPHIC ? v->h : v->w;
-}
-
 static void find_box(const struct tia_flat_scene *flat, struct tia_flat_object *object, uint32_t first, uint32_t end)
 {
     for (int k = 0; k < 3; k++) {
@@ -184,11 +174,25 @@ unsigned tia_flat_corners(const struct tia_flat_scene *flat, uint32_t face, stru
     return sides;
 }
 
+/* Adds the rows that a face may cover. */
+static void add_rows(struct tia_flat_rows *rows, const struct tia_raster_grid *grid,
+                     const struct tia_raster_vertex *corners, unsigned sides)
+{
+    const struct tia_tile all = {0, 0, grid->width, grid->height};
+    struct polygon p;
+
+    if (!tia_polygon_box(&p, grid, all, corners, sides, 0))
+        return;
+    rows->first = p.y0 < rows->first ? (uint16_t)p.y0 : rows->first;
+    rows->end = p.y1 > rows->end ? (uint16_t)p.y1 : rows->end;
+}
+
 static int make_plane(struct tia_flat_scene *flat, uint32_t face)
 {
     struct tia_raster_vertex corners[TIA_SIDES];
     unsigned sides = tia_flat_corners(flat, face, corners);
 
+    add_rows(&flat->rows[face], &flat->grid, corners, sides);
     return tia_raster_plane_init(&flat->planes[face], &flat->grid, corners, sides);
 }
 
@@ -197,6 +201,8 @@ static int make_planes(struct tia_flat_scene *flat, const struct tia_scene *scen
     struct tia_flat_scene sampled;
     int status = TIA_OK;
 
+    for (uint32_t f = 0; f < flat->face_count; f++)
+        flat->rows[f] = (struct tia_flat_rows){UINT16_MAX, 0};
     for (unsigned i = 0; i < tia_flat_samples(scene); i++) {
         tia_flat_sample(&sampled, flat, scene, i);
         for (uint32_t f = 0; !status && f < flat->face_count && !cancelled(cancel, 1); f++)
@@ -277,6 +283,7 @@ int tia_flat_init(struct tia_flat_scene *flat, void *memory, size_t size, const 
     flat->across = (void *)take(&next, (size_t)n.faces * TIA_SIDES * sizeof *flat->across);
     flat->planes = (void *)take(&next, (size_t)n.faces * tia_flat_samples(scene) * sizeof *flat->planes);
     flat->points = (void *)take(&next, (size_t)n.points * sizeof *flat->points);
+    flat->rows = (void *)take(&next, (size_t)n.faces * sizeof *flat->rows);
     room = next;
     tia_eye_init(&flat->eye, scene, width, height);
     flat->reach = tia_reach_of_faces(scene, &flat->eye, cancel);

@@ -17,6 +17,11 @@ struct tia_flat_object {
     int64_t low[3], high[3]; /* box around the points of a closed object, in the coordinates of tia_flat_affine */
 };
 
+/* Rows of pixels: those from `first` to `end` - 1. */
+struct tia_flat_rows {
+    uint16_t first, end;
+};
+
 struct tia_flat_scene {
     struct tia_eye eye;
     struct tia_raster_grid grid;
@@ -29,14 +34,23 @@ struct tia_flat_scene {
     struct tia_raster_vertex *points;
     /* planes of all faces for the grid of the first sample, followed by those for each further sample */
     struct tia_raster_plane *planes;
+    struct tia_flat_rows *rows; /* of each face: no other rows are covered, for any sample */
     uint32_t object_count, face_count, point_count;
 };
 
 /* True if a vertex is at infinity, as a direction. */
-bool tia_flat_is_direction(const struct tia_flat_scene *flat, const struct tia_raster_vertex *v);
+static inline bool tia_flat_is_direction(const struct tia_flat_scene *flat, const struct tia_raster_vertex *v)
+{
+    return flat->eye.projection == TIA_ORTHOGRAPHIC ? v->w == 0 : v->h == 0;
+}
 
 /* Gives a vertex's three affine coordinates: x, y and w, in orthographic views x, y and h. */
-void tia_flat_affine(const struct tia_flat_scene *flat, const struct tia_raster_vertex *v, int64_t out[3]);
+static inline void tia_flat_affine(const struct tia_flat_scene *flat, const struct tia_raster_vertex *v, int64_t out[3])
+{
+    out[0] = v->x;
+    out[1] = v->y;
+    out[2] = flat->eye.projection == TIA_ORTHOGRAPHIC ? v->h : v->w;
+}
 
 /* Returns the number of flat faces of a scene whose shadows tia_scene_check accepts. */
 uint64_t tia_flat_face_count(const struct tia_scene *scene);
@@ -71,6 +85,14 @@ void tia_flat_sample(struct tia_flat_scene *out, const struct tia_flat_scene *fl
 /* Gives a face's corners; returns the number of corners. */
 unsigned tia_flat_corners(const struct tia_flat_scene *flat, uint32_t face,
                           struct tia_raster_vertex corners[TIA_SIDES]);
+
+/* True if a face may cover pixels of the area. */
+static inline bool tia_flat_may_cover(const struct tia_flat_scene *flat, uint32_t face, const struct tia_tile *area)
+{
+    const struct tia_flat_rows *rows = &flat->rows[face];
+
+    return rows->first < (unsigned)area->y + area->height && area->y < rows->end;
+}
 
 /* Returns the number of the object's part to which a face belongs, see path_hash in debug.h. */
 uint32_t tia_flat_element_of(const struct tia_flat_scene *flat, uint32_t face);

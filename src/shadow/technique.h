@@ -15,6 +15,7 @@ struct tia_shadow_view {
     const struct tia_light *lights[TIA_SHADOW_SAMPLES_MAX]; /* light of each sample; valid only during set_lights */
     const struct tia_raster_runs *runs;                     /* for set_lights; NULL: plain C */
     void *own;                                              /* the technique's data, aligned for uint64_t */
+    uint64_t own_size;                                      /* bytes of `own` */
 };
 
 /* The data of each pixel of a tile. */

@@ -15,35 +15,72 @@ struct volumes {
     struct counted sample[TIA_SHADOW_SAMPLES_MAX];
     struct tia_casters casters; /* faces for rays, built when first needed */
     bool has_casters;
+    uint64_t kept;  /* number of samples for which faces have roles: as many as the scene's own lights have */
+    uint8_t *roles; /* of all faces for each of these samples */
 };
+
+/* Returns the number of samples of the scene's own lights. */
+static unsigned samples_of(const struct tia_scene *scene)
+{
+    unsigned count = 0;
+
+    for (uint32_t i = 0; i < scene->light_count && count < TIA_SHADOW_SAMPLES_MAX; i++)
+        count += tia_flat_light_samples(&scene->lights[i]);
+    return count < TIA_SHADOW_SAMPLES_MAX ? count : TIA_SHADOW_SAMPLES_MAX;
+}
+
+/* Returns the number of bytes before the roles. */
+static uint64_t size_before(uint64_t faces)
+{
+    return ALIGN(sizeof(struct volumes)) + ALIGN(tia_casters_size(faces));
+}
 
 static uint64_t own_size(const struct tia_scene *scene)
 {
-    return ALIGN(sizeof(struct volumes)) + tia_casters_size(tia_flat_face_count(scene));
+    uint64_t faces = tia_flat_face_count(scene);
+
+    return size_before(faces) + samples_of(scene) * faces;
 }
 
 static int prepare(struct tia_shadow_view *view, struct cancel *cancel)
 {
     struct volumes *volumes = view->own;
+    uint32_t faces = view->flat.face_count;
 
     (void)cancel;
     volumes->has_casters = false;
+    volumes->kept = faces ? (view->own_size - size_before(faces)) / faces : 0;
+    volumes->roles = (uint8_t *)view->own + size_before(faces);
     return TIA_OK;
+}
+
+/* Returns the place of the roles for a sample, or NULL. */
+static uint8_t *roles_of(const struct tia_shadow_view *view, unsigned sample)
+{
+    const struct volumes *volumes = view->own;
+
+    return sample < volumes->kept ? volumes->roles + sample * (size_t)view->flat.face_count : NULL;
+}
+
+static struct tia_shadow_light light_of(const struct tia_shadow_view *view, unsigned sample)
+{
+    return (struct tia_shadow_light){&view->samples[sample], roles_of(view, sample)};
 }
 
 static struct counted count_ends(const struct tia_shadow_view *view, unsigned sample, struct cancel *cancel)
 {
-    const tia_flat_light *light = &view->samples[sample];
+    struct tia_shadow_light light = light_of(view, sample);
     uint32_t eye, far;
 
     if (view->scene->shadows == TIA_SHADOWS_ZPASS_PLAIN)
         return (struct counted){BEFORE, 0};
-    bool knows_eye = tia_shadow_count_eye(&view->flat, light, &eye, cancel);
-    bool knows_far = tia_shadow_count_far(&view->flat, light, &far, cancel);
-
-    if (knows_eye && (view->scene->shadows == TIA_SHADOWS_ZPASS || !knows_far))
+    if (view->scene->shadows != TIA_SHADOWS_ZPASS && tia_shadow_count_far(&view->flat, light, &far, cancel))
+        return (struct counted){BEHIND, far};
+    if (tia_shadow_count_eye(&view->flat, light, &eye, cancel))
         return (struct counted){BEFORE, eye};
-    return (struct counted){knows_far ? BEHIND : NOT, far};
+    bool knows_far =
+        view->scene->shadows == TIA_SHADOWS_ZPASS && tia_shadow_count_far(&view->flat, light, &far, cancel);
+    return knows_far ? (struct counted){BEHIND, far} : (struct counted){NOT, 0};
 }
 
 static int set_lights(struct tia_shadow_view *view, struct cancel *cancel)
@@ -51,6 +88,8 @@ static int set_lights(struct tia_shadow_view *view, struct cancel *cancel)
     struct volumes *volumes = view->own;
 
     for (unsigned i = 0; i < view->sample_count && !cancelled(cancel, 1); i++) {
+        if (roles_of(view, i))
+            (void)tia_shadow_keep_roles(roles_of(view, i), &view->flat, &view->samples[i], cancel);
         volumes->sample[i] = count_ends(view, i, cancel);
         if (volumes->sample[i].where != NOT || volumes->has_casters)
             continue;
@@ -60,11 +99,19 @@ static int set_lights(struct tia_shadow_view *view, struct cancel *cancel)
     return cancel->stopped ? TIA_STOPPED : TIA_OK;
 }
 
+/* As tia_flat_is_turned(), by the face's role. */
+static bool is_turned(const struct tia_flat_scene *flat, uint32_t face, struct tia_shadow_light light)
+{
+    int side = tia_shadow_side(flat, face, light);
+
+    return side && side == tia_flat_side_of_eye(flat, &flat->faces[face]);
+}
+
 /* Sets the sample's bit in the lit pixels: their points are in no volume, and their faces are turned to the light. */
 static void keep_lit(const struct tia_shadow_view *view, struct tia_shadow_tile *tile, unsigned sample)
 {
     const struct tia_tile *area = &tile->target.area;
-    const tia_flat_light *light = &view->samples[sample];
+    struct tia_shadow_light light = light_of(view, sample);
     uint32_t last = TIA_NO_FACE;
     bool turned = false;
 
@@ -75,7 +122,7 @@ static void keep_lit(const struct tia_shadow_view *view, struct tia_shadow_tile 
             if (face == TIA_NO_FACE || tile->target.count[at])
                 continue;
             if (face != last)
-                turned = tia_flat_is_turned(&view->flat, face, light);
+                turned = is_turned(&view->flat, face, light);
             last = face;
             tile->lit[at] |= (uint64_t)turned << sample;
         }
@@ -93,9 +140,9 @@ static void light(const struct tia_shadow_view *view, struct tia_shadow_tile *ti
     }
     tia_raster_clear_count(&tile->target, counted->start);
     if (counted->where == BEFORE)
-        (void)tia_shadow_zpass(&tile->target, &view->flat, &view->samples[sample], cancel);
+        (void)tia_shadow_zpass(&tile->target, &view->flat, light_of(view, sample), cancel);
     else
-        (void)tia_shadow_zfail(&tile->target, &view->flat, &view->samples[sample], cancel);
+        (void)tia_shadow_zfail(&tile->target, &view->flat, light_of(view, sample), cancel);
     keep_lit(view, tile, sample);
 }
 

@@ -67,6 +67,7 @@ static int prepare(struct tia_view *view)
     raster->first_bit = (uint8_t *)own + view_size(scene);
     raster->places = (void *)(raster->first_bit + ALIGN((uint64_t)view->light_capacity));
     raster->shadow->own = (char *)raster->places + ALIGN((size_t)raster->place_count * sizeof *raster->places);
+    raster->shadow->own_size = tia_shadow_technique(scene->shadows)->own_size(scene);
     raster->shadow->sample_count = 0;
     if (!status)
         status = tia_flat_init(&raster->shadow->flat, own + own_size(scene, view->light_capacity), tia_flat_size(scene),
