@@ -82,8 +82,8 @@ TEST(lights_between_techniques)
     CHECK_EQ(w->frames[3].light.x, ONE);
 }
 
-/* Of 48 rows, tiles have 16, or 48 where a hundred faces are set up for each of them: 32 pixels for each face. Of two
- * workers, each gets 24 rows at most, rounded up to 32. */
+/* Of 48 rows, tiles have 16, or 48 where exact maps set up a hundred faces for each of them: 48 pixels for each face.
+ * Of two workers, each gets 24 rows at most, rounded up to 32. */
 TEST(rows_of_tiles)
 {
     static struct tia_face faces[100];
@@ -106,7 +106,7 @@ TEST(rows_of_tiles)
         yard.mesh_count = 1;
         yard.shapes = i % 2 || i == 4 ? &one : shapes;
         yard.shape_count = i % 2 || i == 4 ? 1 : 2;
-        yard.shadows = i / 2 ? TIA_SHADOWS_ZFAIL : TIA_SHADOWS_TRACED;
+        yard.shadows = i / 2 ? TIA_SHADOWS_MAP_EXACT : TIA_SHADOWS_TRACED;
         CHECK_EQ(world_play(w), TIA_OK);
         CHECK_EQ(w->frames[0].told.draw_us, drawn_us[i]);
     }
@@ -116,18 +116,35 @@ TEST(rows_of_tiles)
 TEST(rows_of_tiles_by_faces)
 {
     static const struct {
+        enum tia_shadows shadows;
         uint32_t faces;
         unsigned width, height, workers, rows;
-    } cases[] = {{6, 640, 480, 1, 60},        {6, 640, 480, 2, 60},          {1000000, 640, 480, 1, 480},
-                 {1000000, 640, 480, 2, 240}, {100, 1920, 1080, 1, 64},      {5000, 1920, 1080, 1, 270},
-                 {5000, 1920, 1080, 2, 135},  {1000000, 1920, 1080, 3, 360}, {0, 1, 1, 1, 1},
-                 {0, 8192, 3, 8, 1},          {UINT32_MAX, 1, 7, 2, 4}};
+    } cases[] = {{TIA_SHADOWS_MAP_EXACT, 6, 640, 480, 1, 60},
+                 {TIA_SHADOWS_MAP_EXACT, 6, 640, 480, 2, 60},
+                 {TIA_SHADOWS_MAP_EXACT, 1000000, 640, 480, 1, 480},
+                 {TIA_SHADOWS_MAP_EXACT, 1000000, 640, 480, 2, 240},
+                 {TIA_SHADOWS_MAP_EXACT, 100, 1920, 1080, 1, 64},
+                 {TIA_SHADOWS_MAP_EXACT, 5000, 1920, 1080, 1, 270},
+                 {TIA_SHADOWS_MAP_EXACT, 5000, 1920, 1080, 2, 135},
+                 {TIA_SHADOWS_MAP_EXACT, 1000000, 1920, 1080, 3, 360},
+                 {TIA_SHADOWS_MAP_EXACT, 0, 1, 1, 1, 1},
+                 {TIA_SHADOWS_MAP_EXACT, 0, 8192, 3, 8, 1},
+                 {TIA_SHADOWS_MAP_EXACT, UINT32_MAX, 1, 7, 2, 4},
+                 {TIA_SHADOWS_ZFAIL, 6, 640, 480, 1, 120},
+                 {TIA_SHADOWS_ZFAIL, 6, 640, 480, 2, 60},
+                 {TIA_SHADOWS_ZFAIL, 1000000, 640, 480, 1, 480},
+                 {TIA_SHADOWS_MAP, 100, 1920, 1080, 1, 135},
+                 {TIA_SHADOWS_RAYS, 5000, 1920, 1080, 2, 135},
+                 {TIA_SHADOWS_ZPASS, 100000, 1920, 1080, 1, 180},
+                 {TIA_SHADOWS_ZFAIL, 1000000, 1920, 1080, 3, 360},
+                 {TIA_SHADOWS_ZFAIL, 0, 1, 1, 1, 1}};
 
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         unsigned height = cases[i].height;
         const struct tia_mesh mesh = {.face_count = cases[i].faces};
         const struct tia_shape shape = {.kind = TIA_MESH};
-        const struct tia_scene scene = {.meshes = &mesh, .mesh_count = 1, .shapes = &shape, .shape_count = 1};
+        const struct tia_scene scene = {
+            .meshes = &mesh, .mesh_count = 1, .shapes = &shape, .shape_count = 1, .shadows = cases[i].shadows};
         unsigned rows = tia_strips_raster_rows(&scene, cases[i].width, height, cases[i].workers);
         CHECK_MSG(rows == cases[i].rows, "%u rows in case %zu, not %u", rows, i, cases[i].rows);
         CHECK(rows > 0 && rows <= height && (height % rows == 0 || height % rows > rows / 2));

@@ -158,7 +158,7 @@ int tia_shadow_zfail(struct tia_raster_target *target, const struct tia_flat_sce
 
     d.state.front.zfail = TIA_STENCIL_DECR_WRAP;
     d.state.back.zfail = TIA_STENCIL_INCR_WRAP;
-    return tia_volume_casters(flat, light, draw_volume, &d, cancel);
+    return tia_volume_casters(flat, light, !flat_view, draw_volume, &d, cancel);
 }
 
 /* Counts in front of the point, with opposite signs. Far caps are never in front of the point. A near cap is in front
@@ -176,5 +176,5 @@ int tia_shadow_zpass(struct tia_raster_target *target, const struct tia_flat_sce
 
     d.state.front.zpass = TIA_STENCIL_INCR_WRAP;
     d.state.back.zpass = TIA_STENCIL_DECR_WRAP;
-    return tia_volume_casters(flat, light, draw_volume, &d, cancel);
+    return tia_volume_casters(flat, light, !flat_view, draw_volume, &d, cancel);
 }

@@ -66,8 +66,8 @@ static bool casts(const struct tia_flat_scene *flat, uint32_t f, struct known_si
     return true;
 }
 
-int tia_volume_casters(const struct tia_flat_scene *flat, struct tia_shadow_light light, tia_caster_function *call,
-                       void *ctx, struct cancel *cancel)
+int tia_volume_casters(const struct tia_flat_scene *flat, struct tia_shadow_light light, bool silhouettes,
+                       tia_caster_function *call, void *ctx, struct cancel *cancel)
 {
     struct known_sides known;
     int status = TIA_OK;
@@ -83,7 +83,9 @@ int tia_volume_casters(const struct tia_flat_scene *flat, struct tia_shadow_ligh
             if (cancelled(cancel, 1))
                 return TIA_STOPPED;
             c.part = light.roles && (light.roles[f] & ROLE_BEGINS) ? f : c.part;
-            if (casts(flat, f, &known, &c))
+            if (silhouettes && light.roles && !(light.roles[f] >> ROLE_SILHOUETTE_SHIFT))
+                continue;
+            if (casts(flat, f, &known, &c) && (c.silhouette || !silhouettes))
                 status = call(ctx, &c, f);
         }
     }

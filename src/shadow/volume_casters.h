@@ -31,8 +31,9 @@ struct tia_volume_caster {
 
 typedef int tia_caster_function(void *ctx, const struct tia_volume_caster *caster, uint32_t face);
 
-/* Calls the function for each face that casts a shadow. Returns TIA_OK, TIA_STOPPED or the function's error. */
-int tia_volume_casters(const struct tia_flat_scene *flat, struct tia_shadow_light light, tia_caster_function *call,
-                       void *ctx, struct cancel *cancel);
+/* Calls the function for each face that casts a shadow; of closed objects only for those with sides in the silhouette,
+ * if `silhouettes` is set. Returns TIA_OK, TIA_STOPPED or the function's error. */
+int tia_volume_casters(const struct tia_flat_scene *flat, struct tia_shadow_light light, bool silhouettes,
+                       tia_caster_function *call, void *ctx, struct cancel *cancel);
 
 #endif

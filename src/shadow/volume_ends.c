@@ -49,7 +49,7 @@ bool tia_shadow_count_eye(const struct tia_flat_scene *flat, struct tia_shadow_l
 {
     struct end_count e = {.flat = flat, .light = light.at, .end = -1};
 
-    (void)tia_volume_casters(flat, light, count_end, &e, cancel);
+    (void)tia_volume_casters(flat, light, false, count_end, &e, cancel);
     *count = e.count;
     return !e.unsure;
 }
@@ -60,7 +60,7 @@ bool tia_shadow_count_far(const struct tia_flat_scene *flat, struct tia_shadow_l
     struct end_count e = {.flat = flat, .light = light.at, .end = 1};
 
     if (flat->eye.projection == TIA_ORTHOGRAPHIC)
-        (void)tia_volume_casters(flat, light, count_end, &e, cancel);
+        (void)tia_volume_casters(flat, light, false, count_end, &e, cancel);
     *count = e.count;
     return !e.unsure;
 }

@@ -3,9 +3,14 @@
 
 #include "loop.h"
 
-#define FACE_PIXELS 48                  /* pixels of a tile for each face, where these are many */
-#define SOME_FACES 5                    /* times as many pixels for each face, where these are fewer */
-#define CACHED_PIXELS UINT32_C(0x80000) /* pixels of a tile whose buffers stay in a cache */
+/* Pixels of a tile: for each face, where these are many; and of tiles whose buffers, 16 bytes a pixel, stay in a cache.
+ * Exact maps set up all faces for each tile, each for as long as a few pixels take; the other techniques pass over
+ * those that are not in the tile. */
+#define FACE_PIXELS 4
+#define CACHED_PIXELS UINT32_C(0x40000)
+#define EXACT_FACE_PIXELS 48
+#define EXACT_SOME_FACES 5 /* times as many pixels for each face, where these are fewer */
+#define EXACT_CACHED_PIXELS UINT32_C(0x80000)
 
 /* Returns about the number of faces behind the rasteriser: those of meshes, and six for any other shape. */
 static uint64_t face_count(const struct tia_scene *scene)
@@ -22,18 +27,17 @@ static unsigned least(uint64_t a, unsigned b)
     return a < b ? (unsigned)a : b;
 }
 
-/* Each tile sets up all faces, each of which takes as long as a few pixels. So tiles of scenes with many faces are
- * large, as long as each worker gets one. With fewer faces each worker gets four, as tiles take different times, and
- * their buffers, 16 bytes a pixel, stay in a cache. All tiles have about as many rows. */
+/* Tiles of scenes with many faces are large, as long as each worker gets one. With fewer faces each worker gets four,
+ * as tiles take different times. All tiles have about as many rows. */
 unsigned tia_strips_raster_rows(const struct tia_scene *scene, unsigned width, unsigned height, unsigned workers)
 {
-    uint64_t faces = face_count(scene);
-    unsigned share = (height + workers - 1) / workers;
-    unsigned many = least(FACE_PIXELS * faces / width, share);
-    unsigned cached = least(CACHED_PIXELS / width, share);
-    unsigned some = least(SOME_FACES * FACE_PIXELS * faces / width, cached);
-    unsigned few = least(some > 4 * VIEWER_STRIP ? some : 4 * VIEWER_STRIP, share / 4);
+    bool exact = scene->shadows == TIA_SHADOWS_MAP_EXACT;
+    uint64_t face_pixels = (exact ? EXACT_FACE_PIXELS : FACE_PIXELS) * face_count(scene);
+    unsigned share = (height + workers - 1) / workers, most = exact ? EXACT_CACHED_PIXELS : CACHED_PIXELS;
+    unsigned cached = exact ? least(EXACT_SOME_FACES * face_pixels, most) : most;
+    unsigned many = least(face_pixels / width, share), few = least(cached / width, share);
 
+    few = least(few > 4 * VIEWER_STRIP ? few : 4 * VIEWER_STRIP, share / 4);
     unsigned rows = many > few ? many : few, tiles = rows ? (height + rows - 1) / rows : height;
     return (height + tiles - 1) / tiles;
 }
