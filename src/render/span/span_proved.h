@@ -105,12 +105,12 @@
 /* The second order of the cosine's error by r N.w and by |w|: 1.03, 2^.043. */
 #define SPAN_ERROR_COSINE 11
 
-/* The roundings of the products for a cosine: 2^-27.9. Proved: simd_integer.g (cosine). */
+/* The roundings of the products for a cosine: 2^-27.9. Proved: simd_integer.g (cosine). Unseen: small. */
 #define SPAN_ERROR_KERNELS (-7142)
 
 /* The error of a cosine of 2^28 in words.h by a point that is off by d, of 2^(e/2) d: 1/|w| is off by half of
  * SPAN_ERROR_MOVED, 1.05 |d|/|w|, of itself, and |w|^2 2^e is at least 2^28 there: 1.05 2^14, 2^14.071. Proved: words.g
- * (moved). */
+ * (moved). Unseen: small. */
 #define SPAN_ERROR_WORDS 3603
 
 /* ---- shadows ---- */
