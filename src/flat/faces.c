@@ -183,8 +183,9 @@ static void add_rows(struct tia_flat_rows *rows, const struct tia_raster_grid *g
 
     if (!tia_polygon_box(&p, grid, all, corners, sides, 0))
         return;
-    rows->first = p.y0 < rows->first ? (uint16_t)p.y0 : rows->first;
-    rows->end = p.y1 > rows->end ? (uint16_t)p.y1 : rows->end;
+    uint16_t first = (uint16_t)p.y0, end = (uint16_t)p.y1;
+    rows->first = first < rows->first ? first : rows->first;
+    rows->end = end > rows->end ? end : rows->end;
 }
 
 static int make_plane(struct tia_flat_scene *flat, uint32_t face)

@@ -70,17 +70,18 @@ static struct tia_shadow_light light_of(const struct tia_shadow_view *view, unsi
 static struct counted count_ends(const struct tia_shadow_view *view, unsigned sample, struct cancel *cancel)
 {
     struct tia_shadow_light light = light_of(view, sample);
+    bool before = view->scene->shadows == TIA_SHADOWS_ZPASS;
     uint32_t eye, far;
 
     if (view->scene->shadows == TIA_SHADOWS_ZPASS_PLAIN)
         return (struct counted){BEFORE, 0};
-    if (view->scene->shadows != TIA_SHADOWS_ZPASS && tia_shadow_count_far(&view->flat, light, &far, cancel))
-        return (struct counted){BEHIND, far};
-    if (tia_shadow_count_eye(&view->flat, light, &eye, cancel))
-        return (struct counted){BEFORE, eye};
-    bool knows_far =
-        view->scene->shadows == TIA_SHADOWS_ZPASS && tia_shadow_count_far(&view->flat, light, &far, cancel);
-    return knows_far ? (struct counted){BEHIND, far} : (struct counted){NOT, 0};
+    for (int i = 0; i < 2; i++, before = !before) {
+        if (before && tia_shadow_count_eye(&view->flat, light, &eye, cancel))
+            return (struct counted){BEFORE, eye};
+        if (!before && tia_shadow_count_far(&view->flat, light, &far, cancel))
+            return (struct counted){BEHIND, far};
+    }
+    return (struct counted){NOT, 0};
 }
 
 static int set_lights(struct tia_shadow_view *view, struct cancel *cancel)

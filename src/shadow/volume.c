@@ -1,5 +1,7 @@
 #include "volume.h"
 
+#include "math/noinline.h"
+
 struct drawing {
     struct tia_raster_target *target;
     const struct tia_flat_scene *flat;
@@ -18,7 +20,7 @@ static uint32_t work_of(const struct tia_raster_target *target)
 }
 
 /* Returns the end of a corner's shadow, which is at infinity. */
-static struct tia_raster_vertex shadow_of(const struct drawing *d, const struct tia_raster_vertex *v)
+static NOINLINE struct tia_raster_vertex shadow_of(const struct drawing *d, const struct tia_raster_vertex *v)
 {
     const tia_flat_light *l = d->light;
 
@@ -29,7 +31,8 @@ static struct tia_raster_vertex shadow_of(const struct drawing *d, const struct 
     return (struct tia_raster_vertex){v->x - l->x, v->y - l->y, v->w - l->w, v->h - l->h};
 }
 
-static int draw(const struct drawing *d, const struct tia_raster_vertex *corners, unsigned count, uint32_t face)
+static NOINLINE int draw(const struct drawing *d, const struct tia_raster_vertex *corners, unsigned count,
+                         uint32_t face)
 {
     if (cancelled(d->cancel, work_of(d->target)))
         return TIA_STOPPED;
@@ -141,10 +144,12 @@ int tia_shadow_faces(struct tia_raster_target *target, const struct tia_flat_sce
     return status;
 }
 
-/* Counts behind the point, where the ray leaves volumes through back faces and enters others through front faces. In
- * orthographic views no ray reaches the far caps, which are at infinity. */
-int tia_shadow_zfail(struct tia_raster_target *target, const struct tia_flat_scene *flat, struct tia_shadow_light light,
-                     struct cancel *cancel)
+/* Counts the surfaces of volumes behind the point, where the ray leaves volumes through back faces and enters others
+ * through front faces; or those in front of it, with opposite signs. In orthographic views no ray reaches the far caps,
+ * which are at infinity; they are never in front of a point. A near cap is in front of a visible face only behind the
+ * window of an orthographic view. */
+static int draw_volumes(struct tia_raster_target *target, const struct tia_flat_scene *flat,
+                        struct tia_shadow_light light, bool behind, struct cancel *cancel)
 {
     bool flat_view = flat->eye.projection == TIA_ORTHOGRAPHIC;
     struct drawing d = {.target = target,
@@ -152,29 +157,23 @@ int tia_shadow_zfail(struct tia_raster_target *target, const struct tia_flat_sce
                         .light = light.at,
                         .cancel = cancel,
                         .state = {.depth = TIA_COMPARE_LESS, .front = KEEPS, .back = KEEPS},
-                        .near = true,
-                        .far = !flat_view,
+                        .near = behind || flat_view,
+                        .far = behind && !flat_view,
                         .part = TIA_NO_FACE};
 
-    d.state.front.zfail = TIA_STENCIL_DECR_WRAP;
-    d.state.back.zfail = TIA_STENCIL_INCR_WRAP;
+    *(behind ? &d.state.front.zfail : &d.state.back.zpass) = TIA_STENCIL_DECR_WRAP;
+    *(behind ? &d.state.back.zfail : &d.state.front.zpass) = TIA_STENCIL_INCR_WRAP;
     return tia_volume_casters(flat, light, !flat_view, draw_volume, &d, cancel);
 }
 
-/* Counts in front of the point, with opposite signs. Far caps are never in front of the point. A near cap is in front
- * of a visible face only behind the window of an orthographic view. */
+int tia_shadow_zfail(struct tia_raster_target *target, const struct tia_flat_scene *flat, struct tia_shadow_light light,
+                     struct cancel *cancel)
+{
+    return draw_volumes(target, flat, light, true, cancel);
+}
+
 int tia_shadow_zpass(struct tia_raster_target *target, const struct tia_flat_scene *flat, struct tia_shadow_light light,
                      struct cancel *cancel)
 {
-    bool flat_view = flat->eye.projection == TIA_ORTHOGRAPHIC;
-    struct drawing d = {.target = target,
-                        .flat = flat,
-                        .light = light.at,
-                        .cancel = cancel,
-                        .state = {.depth = TIA_COMPARE_LESS, .front = KEEPS, .back = KEEPS},
-                        .near = flat_view};
-
-    d.state.front.zpass = TIA_STENCIL_INCR_WRAP;
-    d.state.back.zpass = TIA_STENCIL_DECR_WRAP;
-    return tia_volume_casters(flat, light, !flat_view, draw_volume, &d, cancel);
+    return draw_volumes(target, flat, light, false, cancel);
 }

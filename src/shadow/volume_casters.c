@@ -3,6 +3,7 @@
 /* Bits of a role: the face's side of the light plus one, whether a part of its object begins with it, and which of its
  * sides are part of the silhouette. */
 #define ROLE_SIDE 3
+#define ROLE_LIT 2
 #define ROLE_BEGINS 4
 #define ROLE_SILHOUETTE_SHIFT 3
 #define ROLE_SILHOUETTE ((1u << TIA_SIDES) - 1)
@@ -67,31 +68,21 @@ int tia_volume_casters(const struct tia_flat_scene *flat, struct tia_shadow_ligh
 
 /* ---- roles ---- */
 
-/* Returns the last of the neighbours of face f. */
-static uint32_t last_neighbour(const struct tia_flat_scene *flat, uint32_t f)
-{
-    uint32_t last = 0;
-
-    for (unsigned k = 0; k < tia_face_sides(&flat->faces[f]); k++) {
-        uint32_t other = flat->across[TIA_SIDES * f + k] / TIA_SIDES;
-        last = other > last ? other : last;
-    }
-    return last;
-}
-
 /* Keeps the silhouette of a closed object, and its parts: one begins behind all neighbours of the faces before. */
 static void keep_silhouette(uint8_t *roles, const struct tia_flat_scene *flat, const struct tia_flat_object *object,
-                            const tia_flat_light *light, struct cancel *cancel)
+                            struct cancel *cancel)
 {
-    const struct tia_shadow_light by_roles = {light, roles};
     uint32_t first = object->first_face, last = first;
 
     for (uint32_t f = first; f < first + object->face_count && !cancelled(cancel, 1); f++) {
-        uint32_t neighbour = last_neighbour(flat, f);
-        roles[f] |= f > last ? ROLE_BEGINS : 0;
-        last = neighbour > last ? neighbour : last;
-        if (tia_shadow_side(flat, f, by_roles) > 0)
-            roles[f] |= (uint8_t)(silhouette_of(flat, f, true, by_roles) << ROLE_SILHOUETTE_SHIFT);
+        bool is_lit = (roles[f] & ROLE_SIDE) == ROLE_LIT;
+        unsigned role = f > last ? ROLE_BEGINS : 0;
+        for (unsigned k = 0; k < tia_face_sides(&flat->faces[f]); k++) {
+            uint32_t other = flat->across[TIA_SIDES * f + k] / TIA_SIDES;
+            last = other > last ? other : last;
+            role |= (unsigned)(is_lit && (roles[other] & ROLE_SIDE) != ROLE_LIT) << (ROLE_SILHOUETTE_SHIFT + k);
+        }
+        roles[f] |= (uint8_t)role;
     }
 }
 
@@ -110,7 +101,7 @@ int tia_shadow_keep_roles(uint8_t *roles, const struct tia_flat_scene *flat, con
     for (uint32_t i = 0; i < flat->object_count && !cancel->stopped; i++) {
         const struct tia_flat_object *object = &flat->objects[i];
         if (tia_flat_has_silhouette(flat, object, light))
-            keep_silhouette(roles, flat, object, light, cancel);
+            keep_silhouette(roles, flat, object, cancel);
         else
             keep_all_sides(roles, flat, object);
     }

@@ -33,8 +33,11 @@ unsigned tia_strips_raster_rows(const struct tia_scene *scene, unsigned width, u
 {
     bool exact = scene->shadows == TIA_SHADOWS_MAP_EXACT;
     uint64_t face_pixels = (exact ? EXACT_FACE_PIXELS : FACE_PIXELS) * face_count(scene);
-    unsigned share = (height + workers - 1) / workers, most = exact ? EXACT_CACHED_PIXELS : CACHED_PIXELS;
-    unsigned cached = exact ? least(EXACT_SOME_FACES * face_pixels, most) : most;
+    uint64_t some = EXACT_SOME_FACES * face_pixels, cached = CACHED_PIXELS;
+    unsigned share = (height + workers - 1) / workers;
+
+    if (exact)
+        cached = some < EXACT_CACHED_PIXELS ? some : EXACT_CACHED_PIXELS;
     unsigned many = least(face_pixels / width, share), few = least(cached / width, share);
 
     few = least(few > 4 * VIEWER_STRIP ? few : 4 * VIEWER_STRIP, share / 4);

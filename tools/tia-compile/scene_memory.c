@@ -35,9 +35,9 @@ struct layout {
     unsigned map, volumes, own; /* for these techniques: sizes of their data */
 };
 
-static const struct layout layouts[KINDS] = {{96, 40, 336, 48, 208, 136, 416, 224, 8, 88, 40, 2864, 744, 560, 40},
-                                             {56, 24, 256, 28, 200, 108, 392, 216, 4, 80, 32, 2576, 728, 544, 28},
-                                             {56, 24, 252, 28, 200, 108, 392, 208, 4, 80, 32, 2576, 728, 544, 28}};
+static const struct layout layouts[KINDS] = {{96, 40, 336, 48, 208, 136, 416, 224, 8, 88, 40, 2888, 744, 576, 40},
+                                             {56, 24, 256, 28, 200, 108, 392, 216, 4, 80, 32, 2592, 728, 560, 28},
+                                             {56, 24, 252, 28, 200, 108, 392, 208, 4, 80, 32, 2592, 728, 560, 28}};
 
 /* Returns the kind of this machine; KINDS when it is none of them. */
 static int kind_here(void)
