@@ -82,7 +82,7 @@ static void keep_silhouette(uint8_t *roles, const struct tia_flat_scene *flat, c
             last = other > last ? other : last;
             role |= (unsigned)(is_lit && (roles[other] & ROLE_SIDE) != ROLE_LIT) << (ROLE_SILHOUETTE_SHIFT + k);
         }
-        roles[f] |= (uint8_t)role;
+        roles[f] = (uint8_t)(roles[f] | role);
     }
 }
 
