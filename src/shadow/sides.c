@@ -53,11 +53,14 @@ int tia_flat_side_of_eye(const struct tia_flat_scene *flat, const struct tia_fla
     return tia_flat_side(flat, face, &eye);
 }
 
+bool tia_flat_is_visible(const struct tia_flat_scene *flat, uint32_t face, int side)
+{
+    return side && side == tia_flat_side_of_eye(flat, &flat->faces[face]);
+}
+
 bool tia_flat_is_turned(const struct tia_flat_scene *flat, uint32_t face, const tia_flat_light *light)
 {
-    int side = tia_flat_side(flat, &flat->faces[face], light);
-
-    return side && side == tia_flat_side_of_eye(flat, &flat->faces[face]);
+    return tia_flat_is_visible(flat, face, tia_flat_side(flat, &flat->faces[face], light));
 }
 
 /* ---- objects ---- */

@@ -21,6 +21,9 @@ int tia_flat_side(const struct tia_flat_scene *flat, const struct tia_flat_face 
 /* Returns the side of a face's plane on which the eye is, as tia_flat_side does. */
 int tia_flat_side_of_eye(const struct tia_flat_scene *flat, const struct tia_flat_face *face);
 
+/* True if the visible side of a face is the side `side`, as tia_flat_side returns it. */
+bool tia_flat_is_visible(const struct tia_flat_scene *flat, uint32_t face, int side);
+
 /* True if the visible side of a face is turned to the light. */
 bool tia_flat_is_turned(const struct tia_flat_scene *flat, uint32_t face, const tia_flat_light *light);
 

@@ -100,14 +100,6 @@ static int set_lights(struct tia_shadow_view *view, struct cancel *cancel)
     return cancel->stopped ? TIA_STOPPED : TIA_OK;
 }
 
-/* As tia_flat_is_turned(), by the face's role. */
-static bool is_turned(const struct tia_flat_scene *flat, uint32_t face, struct tia_shadow_light light)
-{
-    int side = tia_shadow_side(flat, face, light);
-
-    return side && side == tia_flat_side_of_eye(flat, &flat->faces[face]);
-}
-
 /* Sets the sample's bit in the lit pixels: their points are in no volume, and their faces are turned to the light. */
 static void keep_lit(const struct tia_shadow_view *view, struct tia_shadow_tile *tile, unsigned sample)
 {
@@ -123,7 +115,7 @@ static void keep_lit(const struct tia_shadow_view *view, struct tia_shadow_tile 
             if (face == TIA_NO_FACE || tile->target.count[at])
                 continue;
             if (face != last)
-                turned = is_turned(&view->flat, face, light);
+                turned = tia_flat_is_visible(&view->flat, face, tia_shadow_side(&view->flat, face, light));
             last = face;
             tile->lit[at] |= (uint64_t)turned << sample;
         }
