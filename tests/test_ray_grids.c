@@ -130,7 +130,7 @@ static void try_turned(struct trial *t, unsigned long *sure)
     struct real d = real_of(p.d), level = real_unit(real_along((struct real){{-side, 0, 0}}, d, side * d.v[0]));
     turned = p;
     turned.d = v3_of(real_turned(d, level, 0.9999L * p.ed));
-    turned.ed = BOUND(FIRST_DIRECTION);
+    turned.ed = BOUND(CONVERTED);
     struct query a = met(t, &p, true), b = met(t, &turned, true);
     if (!is_decided(&a) || !is_decided(&b))
         return;

@@ -41,7 +41,7 @@ $(WEB_O)/simd/%.o: %.c
 WEB_STACK := 1048576
 define link_wasm
 @mkdir -p $(@D)
-$(call say,LD,$@)$(WASM_LD) --no-entry --gc-sections --strip-all --fatal-warnings -z stack-size=$(WEB_STACK) \
+$(call say,LD,$@)$(WASM_LD) --no-entry --gc-sections --strip-all --compress-relocations --fatal-warnings -z stack-size=$(WEB_STACK) \
     -o $@ $^ -L$(WASM_LIB) -lc $(WASM_BUILTINS)
 endef
 $(WEB)/tia.wasm: $(call web_obj,q16,$(CORE_SRC)) $(call web_obj,f64,$(NUM_SRC)) $(call web_obj,watched,$(NUM_SRC)) $(call web_obj,simd,$(WASM_SIMD) port/simd/best.c) \

@@ -164,6 +164,8 @@
 #define ray_camera_next NAMES(ray_camera_next)
 #define ray_camera_ray NAMES(ray_camera_ray)
 #define ray_camera_ray_within NAMES(ray_camera_ray_within)
+#define ray_camera_is_pinhole NAMES(ray_camera_is_pinhole)
+#define ray_camera_way_within NAMES(ray_camera_way_within)
 #define path_renderer NAMES(path_renderer)
 #define ray_intersect_lights_of NAMES(ray_intersect_lights_of)
 #define ray_sphere_centre NAMES(ray_sphere_centre)

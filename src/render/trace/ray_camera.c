@@ -102,14 +102,19 @@ bool ray_camera_pixel(const struct ray_camera *c, int x, int y, int channel, str
     return !c->grid.field || tia_light_grid_pixel(&c->grid, x, y, channel, pixel);
 }
 
-/* Writes the ray from the eye at `place` through a point of the image; `right` and `down` are fractions of the image's
- * width and height. */
-static void through(const struct ray_camera *c, tia_q16 place, num_unit right, num_unit down, struct ray *ray)
+/* Returns the vector from the middle of the image plane to a point of the image, for the eye at `place`; `right` and
+ * `down` are fractions of the image's width and height. */
+static struct num_point aside_of(const struct ray_camera *c, tia_q16 place, num_unit right, num_unit down)
 {
     num_length left = place ? num_length_of(c->window.left - place) : c->left;
     num_length h = left + num_times(c->across, right), v = c->bottom + c->upward - num_times(c->upward, down);
-    struct num_point aside = num_point_add(num_point_along(c->u, h), num_point_along(c->v, v));
 
+    return num_point_add(num_point_along(c->u, h), num_point_along(c->v, v));
+}
+
+/* Writes the ray from the eye at `place` through a point of the image, see aside_of. */
+static void through(const struct ray_camera *c, tia_q16 place, struct num_point aside, struct ray *ray)
+{
     ray->origin = place ? num_point_add(c->eye, num_point_of(tia_light_offset(c->grid.u, place))) : c->eye;
     ray_watch(ray, NULL);
     ray->direction = num_dir_negated(c->n);
@@ -151,7 +156,9 @@ static void place_sample(const struct ray_camera *c, const struct light_pixel *p
 
 static void through_sample(const struct ray_camera *c, tia_q16 eye, const int32_t place[2], struct ray *ray)
 {
-    through(c, eye, num_fraction_by(small(place[0]), c->columns), num_fraction_by(small(place[1]), c->rows), ray);
+    num_unit right = num_fraction_by(small(place[0]), c->columns), down = num_fraction_by(small(place[1]), c->rows);
+
+    through(c, eye, aside_of(c, eye, right, down), ray);
 }
 
 void ray_camera_ray(const struct ray_camera *c, const struct light_pixel *pixel, int sample, struct ray *ray)
@@ -173,16 +180,33 @@ void ray_camera_next(const struct ray_camera *c, const struct light_pixel *pixel
     bend(c, pixel, (uint32_t)sample, ray);
 }
 
-/* Returns x + (u + 1/2)/2^32. */
-static num_length within_pixel(int x, uint32_t u)
+/* Returns the part of the image up to x + (u + 1/2)/2^32 pixels, `size` being the divisor of its columns or rows. */
+static num_unit fraction_within(const struct ray_camera *c, int x, uint32_t u, num_divisor size)
 {
-    return num_length_of_q45(((int64_t)x << 45) + ((int64_t)u << 13) + (1 << 12));
+    int64_t twice = ((int64_t)x << 41) + ((int64_t)u << 9) + (1 << 8); /* see small() */
+
+    return num_fraction_by(num_length_of_q45(c->side * c->side * twice), size);
+}
+
+static struct num_point aside_within(const struct ray_camera *c, const struct light_pixel *pixel, const uint32_t u[2])
+{
+    return aside_of(c, pixel->place, fraction_within(c, pixel->x, u[0], c->columns),
+                    fraction_within(c, pixel->y, u[1], c->rows));
 }
 
 void ray_camera_ray_within(const struct ray_camera *c, const struct light_pixel *pixel, uint32_t sample,
                            const uint32_t u[2], struct ray *ray)
 {
-    through(c, pixel->place, num_fraction(within_pixel(pixel->x, u[0]), num_integer(c->width)),
-            num_fraction(within_pixel(pixel->y, u[1]), num_integer(c->height)), ray);
+    through(c, pixel->place, aside_within(c, pixel, u), ray);
     bend(c, pixel, sample, ray);
+}
+
+bool ray_camera_is_pinhole(const struct ray_camera *c)
+{
+    return c->projection == TIA_PERSPECTIVE && c->lens <= 0;
+}
+
+struct num_point ray_camera_way_within(const struct ray_camera *c, const struct light_pixel *pixel, const uint32_t u[2])
+{
+    return num_point_add(aside_within(c, pixel, u), c->ahead);
 }

@@ -47,4 +47,11 @@ void ray_camera_next(const struct ray_camera *camera, const struct light_pixel *
 void ray_camera_ray_within(const struct ray_camera *camera, const struct light_pixel *pixel, uint32_t sample,
                            const uint32_t u[2], struct ray *ray);
 
+/* True for a camera in perspective without a lens: all rays of a pixel start at the same point. */
+bool ray_camera_is_pinhole(const struct ray_camera *camera);
+
+/* Returns the vector along ray_camera_ray_within's ray from its origin to the image plane, for a pinhole camera. */
+struct num_point ray_camera_way_within(const struct ray_camera *camera, const struct light_pixel *pixel,
+                                       const uint32_t u[2]);
+
 #endif

@@ -7,6 +7,8 @@
 #ifndef TIA_SIMD_RAYS_PATH_STATE_TMPL_H
 #define TIA_SIMD_RAYS_PATH_STATE_TMPL_H
 
+#include <stddef.h>
+
 #include "render/path/path.h"
 #include "scatter_tmpl.h"
 #include "tracer_tmpl.h"
@@ -50,16 +52,22 @@ struct path_state {
     int count[OCTANTS];
 };
 
+#define PLACE_OF(member) offsetof(struct paths, member)
+
+/* Returns number i of a queued ray, in all lanes. */
 LANE_OP vd *path_column(struct paths *p, int i)
 {
-    struct packet *ray = &p->r.p;
-    vd *const column[PATH_COLUMNS] = {
-        &ray->o.x,       &ray->o.y,       &ray->o.z,         &ray->d.x,          &ray->d.y,      &ray->d.z,
-        &p->r.weight[0], &p->r.weight[1], &p->r.weight[2],   &ray->eo,           &ray->ed,       &p->r.ew,
-        &p->density.v,   &p->density.e,   &ray->from.object, &ray->from.element, &ray->from.side};
+    static const uint16_t place[PATH_COLUMNS] = {
+        PLACE_OF(r.p.o.x),      PLACE_OF(r.p.o.y),   PLACE_OF(r.p.o.z),         PLACE_OF(r.p.d.x),
+        PLACE_OF(r.p.d.y),      PLACE_OF(r.p.d.z),   PLACE_OF(r.weight[0]),     PLACE_OF(r.weight[1]),
+        PLACE_OF(r.weight[2]),  PLACE_OF(r.p.eo),    PLACE_OF(r.p.ed),          PLACE_OF(r.ew),
+        PLACE_OF(density.v),    PLACE_OF(density.e), PLACE_OF(r.p.from.object), PLACE_OF(r.p.from.element),
+        PLACE_OF(r.p.from.side)};
 
-    return column[i];
+    return (vd *)(void *)((char *)p + place[i]);
 }
+
+#undef PLACE_OF
 
 LANE_OP void mark_unsure(struct path_state *f, unsigned lanes, const uint32_t slot[LANES])
 {
@@ -200,33 +208,42 @@ LANE_OP vu path_choice(const struct path_state *f, const struct paths *p, unsign
     return quads_number(&quads, dimension);
 }
 
-/* Computes camera rays by the fixed-point code. The camera's window is small but has units of 2^-45 too, so that a
- * bound on its rounding would exceed all other bounds. */
+/* Computes a camera ray by the fixed-point code: its origin, and a vector of any length along it. The camera's window
+ * is small but has units of 2^-45 too, so that a bound on its rounding would exceed all other bounds. */
+static void camera_ray(const struct ray_camera *camera, struct light_pixel pixel, const uint32_t u[2], double o[3],
+                       double way[3])
+{
+    struct ray ray;
+
+    if (ray_camera_is_pinhole(camera)) {
+        sure_point(o, camera->eye);
+        sure_point(way, ray_camera_way_within(camera, &pixel, u));
+        return;
+    }
+    ray_camera_ray_within(camera, &pixel, 0, u, &ray);
+    sure_point(o, ray.origin);
+    sure_dir(way, ray.direction);
+}
+
 static void first_paths(const struct path_state *f, struct paths *p, const struct quads *first)
 {
     const struct sure_gather *g = f->gather;
-    double o[3][LANES], d[3][LANES];
+    double o[LANES][3], way[LANES][3];
+    const double *from[LANES], *to[LANES];
     uint32_t numbers[2][LANES];
 
     vu_store(numbers[0], quads_number(first, 0));
     vu_store(numbers[1], quads_number(first, 1));
     for (int k = 0; k < LANES; k++) {
-        const uint32_t pair[2] = {numbers[0][k], numbers[1][k]};
-        const struct light_pixel pixel = ray_pixel_at(g->x[p->r.slot[k]], g->y[p->r.slot[k]]);
-        double origin[3], direction[3];
-        struct ray ray;
-        ray_camera_ray_within(&g->scene->view->camera, &pixel, 0, pair, &ray);
-        sure_point(origin, ray.origin);
-        sure_dir(direction, ray.direction);
-        for (int i = 0; i < 3; i++) {
-            o[i][k] = origin[i];
-            d[i][k] = direction[i];
-        }
+        const uint32_t u[2] = {numbers[0][k], numbers[1][k]}, slot = p->r.slot[k];
+        camera_ray(&g->scene->view->camera, ray_pixel_at(g->x[slot], g->y[slot]), u, o[k], way[k]);
+        from[k] = o[k];
+        to[k] = way[k];
     }
-    p->r.p.o = (struct v3){vload(o[0]), vload(o[1]), vload(o[2])};
-    p->r.p.d = (struct v3){vload(d[0]), vload(d[1]), vload(d[2])};
+    p->r.p.o = v3_gather(from, 0);
     p->r.p.eo = v3_sum(p->r.p.o) * BOUND(FIRST_ORIGIN);
-    p->r.p.ed = vset(BOUND(FIRST_DIRECTION));
+    struct v3 along = v3_gather(to, 0);
+    p->r.p.d = v3_unit(along, v3_sum(along) * BOUND(FIRST_WAY), &p->r.p.ed);
     p->r.p.from = (struct origin){vset(-1), vset(0), vset(0)};
 }
 

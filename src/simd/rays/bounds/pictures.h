@@ -44,9 +44,9 @@ FORMULA(BEAM_SIDE);
  * small. */
 #define BOUND_FIRST_ORIGIN P2M(53)
 
-/* The error of a fixed-point direction that is converted to doubles: u of its length. Needed: 1 of 2 u. Unseen: small.
- */
-#define BOUND_FIRST_DIRECTION P2M(52)
+/* The error of a fixed-point vector along a camera ray that is converted to doubles, relative to |v|1: u of each
+ * coordinate. Needed: 1 of 2 u. Unseen: small. */
+#define BOUND_FIRST_WAY P2M(52)
 
 /* ---- throughputs and colours, see tracer_tmpl.h and paths_tmpl.h ---- */
 
