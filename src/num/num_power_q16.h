@@ -31,24 +31,31 @@ static inline num_unit num_power(num_unit d, tia_q16 e)
     return power;
 }
 
-/* Returns num_power as a length, to the bit, but mostly without computing roots. For e >= 1 the error of num_power is
- * below 2^-56: each root is rounded by 2^-62, a relative error of 2^-62/sqrt(d), and the product of the roots is
- * multiplied by at most d. The error of tia_power_near is below 2^-55. If its result plus 2^-54 and its result minus
- * 2^-54 round to the same length, num_power rounds to this length as well. */
+/* Returns a number within *off of num_power, computed without roots where e >= 1. There the error of num_power is below
+ * 2^-56: each root is rounded by 2^-62, a relative error of 2^-62/sqrt(d), and the product of the roots is multiplied
+ * by at most d. The error of tia_power_near is below 2^-55. *off is 0 where the result is that of num_power. */
+static inline num_unit num_power_near(num_unit d, tia_q16 e, num_unit *off)
+{
+    const num_unit most = (num_unit)1 << 8;
+
+    *off = 0;
+    if (e < TIA_Q16_ONE)
+        return num_power(d, e);
+    num_unit whole = num_whole_power(d, e >> 16);
+    if (!(e & 0xffff) || d == NUM_UNIT_ONE || d == 0)
+        return whole;
+    *off = most;
+    return whole <= most ? whole : tia_power_near(whole, d, e & 0xffff);
+}
+
+/* Returns num_power as a length, to the bit: if both ends of num_power_near round to the same length, num_power rounds
+ * to this length as well. */
 static inline num_length num_power_length(num_unit d, tia_q16 e)
 {
-    const num_unit off = (num_unit)1 << 8;
-    num_unit whole = num_whole_power(d, e >> 16);
+    num_unit off, near = num_power_near(d, e, &off);
+    num_length least = num_length_of_unit(near > off ? near - off : 0);
 
-    if (!(e & 0xffff) || d == NUM_UNIT_ONE || d == 0)
-        return num_length_of_unit(whole);
-    if (e >= TIA_Q16_ONE) {
-        num_unit near = whole <= off ? whole : tia_power_near(whole, d, e & 0xffff);
-        num_length least = num_length_of_unit(near > off ? near - off : 0);
-        if (least == num_length_of_unit(near + off))
-            return least;
-    }
-    return num_length_of_unit(num_power(d, e));
+    return least == num_length_of_unit(near + off) ? least : num_length_of_unit(num_power(d, e));
 }
 
 /* Returns exp(-x), 0 <= x: 2^-v with v = x log2 e, which is rounded to 2^-56; then see tia_exp2(). The error is below

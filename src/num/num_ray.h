@@ -25,6 +25,7 @@
  *   num_div_by(x, d), num_fraction_by(x, d)   the same for many x, with d = num_divisor_of(y)
  *   num_cross2(ax, ay, bx, by)   ax by - ay bx; its sign is exact or 0; see num_area_sign, num_barycentric
  *   num_power(d, e)              d^e, 0 <= d <= 1, e in Q16.16; num_power_length(d, e): as num_length, faster
+ *   num_power_near(d, e, &off)   a number within off of num_power(d, e), faster
  *   num_fade(x)                  exp(-x) as num_unit, x >= 0; 0 for x >= 44
  *   num_atan2(y, x)              atan2(y, x)/(2 pi), in -1/2..1/2, as num_unit
  *   num_repeat(x, bits, p, &cell)   y - floor(y), and floor(y) modulo 2^31 in cell, for y = n (2^bits x - o) by the

@@ -13,6 +13,7 @@
 #define num_levels(c, n, t) (NUM_AT, num_levels(c, n, t))
 #define num_power(d, e) (NUM_AT, num_power(d, e))
 #define num_power_length(d, e) (NUM_AT, num_power_length(d, e))
+#define num_power_near(d, e, off) (NUM_AT, num_power_near(d, e, off))
 #define num_point_at(a, d, t) (NUM_AT, num_point_at(a, d, t))
 
 #endif

@@ -240,6 +240,12 @@ static inline num_unit num_power(num_unit d, tia_q16 e)
     return power;
 }
 
+static inline num_unit num_power_near(num_unit d, tia_q16 e, num_unit *off)
+{
+    *off = 0;
+    return num_power(d, e);
+}
+
 static inline num_length num_power_length(num_unit d, tia_q16 e)
 {
     return num_power(d, e);

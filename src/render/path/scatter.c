@@ -54,6 +54,18 @@ static num_length lobe_height(const struct scatter *s, num_unit power, int k)
     return num_times(num_length_of(n) / 2, power);
 }
 
+/* Returns x^n, or a number near it with the same heights. */
+static num_unit lobe_power(const struct scatter *s, num_unit x)
+{
+    tia_q16 n = s->surface->material->exponent;
+    num_unit off, power = num_power_near(x, n, &off), low = power > off ? power - off : 0, high = power + off;
+
+    if (off == 0 ||
+        (lobe_height(s, low, 2) == lobe_height(s, high, 2) && lobe_height(s, low, 1) == lobe_height(s, high, 1)))
+        return power;
+    return num_power(x, n);
+}
+
 void scatter_evaluate(const struct scatter *s, struct num_dir to, num_unit cosine, num_length reflected[3],
                       struct num_density *density)
 {
@@ -67,7 +79,7 @@ void scatter_evaluate(const struct scatter *s, struct num_dir to, num_unit cosin
         return;
     num_unit along = num_dir_dot(s->mirrored, to);
     if (along > 0)
-        power = num_power(along < NUM_UNIT_ONE ? along : NUM_UNIT_ONE, s->surface->material->exponent);
+        power = lobe_power(s, along < NUM_UNIT_ONE ? along : NUM_UNIT_ONE);
     num_length height = lobe_height(s, power, 2);
     for (int c = 0; c < 3; c++)
         reflected[c] += num_times(num_product(s->specular[c], height), cosine);
