@@ -50,14 +50,33 @@ static inline struct sampler sampler_of(uint32_t seed, int x, int y, uint32_t in
     return (struct sampler){sobol_hash2(sobol_hash2(seed, (uint32_t)y), (uint32_t)x), index};
 }
 
+/* A quad of a sample: the seed of its dimensions' scrambling, and the sample's index in its order. */
+struct sampler_quad {
+    uint32_t hash, index;
+};
+
+static inline struct sampler_quad sampler_quad(const struct sampler *sampler, uint32_t quad)
+{
+    uint32_t hash = sobol_hash2(sampler->seed, quad);
+
+    return (struct sampler_quad){hash, sobol_reverse(sobol_scramble(sobol_reverse(sampler->index), hash))};
+}
+
+/* Returns the number of a quad's dimension, 0..3. */
+static inline uint32_t sampler_number(const struct sampler_quad *quad, unsigned dimension)
+{
+    uint32_t point = sobol_reversed(quad->index, dimension);
+
+    return sobol_reverse(sobol_scramble(point, sobol_hash2(quad->hash, dimension)));
+}
+
 /* Writes the sample's numbers in dimensions `first` and `first` + 1 of a quad. */
 static inline void sampler_pair(const struct sampler *sampler, uint32_t quad, unsigned first, uint32_t u[2])
 {
-    uint32_t hash = sobol_hash2(sampler->seed, quad);
-    uint32_t index = sobol_reverse(sobol_scramble(sobol_reverse(sampler->index), hash));
+    const struct sampler_quad of = sampler_quad(sampler, quad);
 
-    for (unsigned i = 0; i < 2; i++)
-        u[i] = sobol_reverse(sobol_scramble(sobol_reversed(index, first + i), sobol_hash2(hash, first + i)));
+    u[0] = sampler_number(&of, first);
+    u[1] = sampler_number(&of, first + 1);
 }
 
 #endif

@@ -6,6 +6,9 @@
 #include "render/trace/fog.h"
 #include "scatter.h"
 
+/* Choices at a bounce: each has a dimension of the bounce's quad of choices. */
+enum choice { CHOICE_LOBE, CHOICE_LIGHT, CHOICE_SURVIVAL, CHOICE_REFLECTION };
+
 /* A path being followed. */
 struct walk {
     struct estimate *e;
@@ -28,6 +31,14 @@ static uint32_t quad_of(const struct walk *w, unsigned which)
 static void draw_direction(const struct walk *w, uint32_t u[2])
 {
     sampler_pair(&w->e->sampler, w->bounce ? quad_of(w, 0) : ESTIMATE_FIRST_QUAD, 2, u);
+}
+
+/* Returns the random number of one of a bounce's choices, see PATH_QUAD. */
+static uint32_t draw_choice(const struct walk *w, enum choice choice)
+{
+    const struct sampler_quad quad = sampler_quad(&w->e->sampler, quad_of(w, 1));
+
+    return sampler_number(&quad, choice);
 }
 
 static void add(struct walk *w, const num_length radiance[3], num_unit weight)
@@ -136,9 +147,17 @@ static bool is_seen(struct walk *w, const struct ray *shadow, struct emitter_sam
     return seen;
 }
 
-/* Samples the emitter that the random number `which` chooses, and adds its reflected light: reflectance times radiance,
- * divided by the sum of the densities with which the path could have chosen the sampled point. */
-static void look_for_light(struct walk *w, const struct scatter *scatter, uint32_t which)
+/* Chooses an emitter at random. */
+static const struct emitter *choose_emitter(const struct walk *w, const struct emitters *emitters)
+{
+    uint32_t number = emitters->count > 1 ? draw_choice(w, CHOICE_LIGHT) : 0;
+
+    return &emitters->first[(uint64_t)number * emitters->count >> 32];
+}
+
+/* Samples an emitter, and adds its reflected light: reflectance times radiance, divided by the sum of the densities
+ * with which the path could have chosen the sampled point. */
+static void look_for_light(struct walk *w, const struct scatter *scatter)
 {
     const struct emitters *emitters = &w->view->emitters;
     const struct shading *s = scatter->surface;
@@ -146,11 +165,12 @@ static void look_for_light(struct walk *w, const struct scatter *scatter, uint32
     struct num_density density, scattered;
     num_length reflected[3], part[3];
     uint32_t u[2];
+    bool seen;
 
-    if (!emitters->count || left_out(w) == TIA_STRATEGY_LIGHTS)
+    if (!emitters->count || left_out(w) == TIA_STRATEGY_LIGHTS || (estimate_recalls(w->e, &seen) && !seen))
         return;
     sampler_pair(&w->e->sampler, quad_of(w, 0), 0, u);
-    const struct emitter *emitter = &emitters->first[(uint64_t)which * emitters->count >> 32];
+    const struct emitter *emitter = choose_emitter(w, emitters);
     if (!emitter_sample(emitter, s->outside, s->normal, w->e->bias, u, &sample))
         return;
     num_unit cosine = num_dir_dot(sample.to, s->normal);
@@ -188,7 +208,7 @@ static void go_on(struct walk *w, struct num_point origin, struct num_dir to, bo
 
 /* Passes through glass, or reflects from it by Fresnel's equations. Returns false after too many undeflected
  * passages. */
-static bool go_through(struct walk *w, const struct scatter *scatter, uint32_t number)
+static bool go_through(struct walk *w, const struct scatter *scatter)
 {
     const struct shading *s = scatter->surface;
     struct media media = w->media;
@@ -204,7 +224,8 @@ static bool go_through(struct walk *w, const struct scatter *scatter, uint32_t n
         return ++w->layers <= TIA_LAYERS_MAX;
     }
     num_unit fresnel = shading_refract(s, between, &to);
-    bool reflected = fresnel == NUM_UNIT_ONE || (s->material->fresnel && num_happens(num_chance(fresnel), number));
+    bool reflected = fresnel == NUM_UNIT_ONE ||
+                     (s->material->fresnel && num_happens(num_chance(fresnel), draw_choice(w, CHOICE_REFLECTION)));
     estimate_note(w->e, reflected);
     if (!reflected)
         w->media = media;
@@ -214,17 +235,17 @@ static bool go_through(struct walk *w, const struct scatter *scatter, uint32_t n
 }
 
 /* Continues the path from a surface. Returns false if it ends there. */
-static bool bounce(struct walk *w, const struct scatter *scatter, const uint32_t numbers[4])
+static bool bounce(struct walk *w, const struct scatter *scatter)
 {
     const struct shading *s = scatter->surface;
-    enum lobe lobe = scatter_choose(scatter, numbers[0]);
+    enum lobe lobe = scatter_choose(scatter, scatter->below[2] ? draw_choice(w, CHOICE_LOBE) : 0);
     num_length factor[3];
     struct num_dir to;
     uint32_t u[2];
 
     estimate_note(w->e, lobe);
     if (lobe == LOBE_GLASS)
-        return go_through(w, scatter, numbers[3]);
+        return go_through(w, scatter);
     if (lobe == LOBE_MIRROR) {
         multiply(w, scatter->mirror);
         divide(w, scatter_chance(scatter, LOBE_MIRROR));
@@ -240,7 +261,7 @@ static bool bounce(struct walk *w, const struct scatter *scatter, const uint32_t
 }
 
 /* Plays Russian roulette. Returns false if the path ends. */
-static bool survives(struct walk *w, uint32_t number)
+static bool survives(struct walk *w)
 {
     num_length most = w->throughput[0];
 
@@ -249,7 +270,7 @@ static bool survives(struct walk *w, uint32_t number)
     most = most > w->throughput[1] ? most : w->throughput[1];
     most = most > w->throughput[2] ? most : w->throughput[2];
     uint32_t chance = most < NUM_LENGTH_ONE ? num_chance(num_fraction(most, NUM_LENGTH_ONE)) : UINT32_MAX;
-    bool goes_on = num_happens(chance, number);
+    bool goes_on = num_happens(chance, draw_choice(w, CHOICE_SURVIVAL));
     estimate_note(w->e, goes_on);
     if (goes_on)
         divide(w, num_of_chance(chance));
@@ -268,7 +289,7 @@ static void add_fog(struct walk *w, const struct hit *hit)
 /* Follows one ray, and adds the light at its end. Returns false if the path ends there. */
 static bool step(struct walk *w)
 {
-    uint32_t given = w->e->view->scene->integration.bounces, numbers[4];
+    uint32_t given = w->e->view->scene->integration.bounces;
     struct hit hit;
     struct shading s;
     struct scatter scatter;
@@ -283,13 +304,11 @@ static bool step(struct walk *w)
     scatter_prepare(&scatter, &s);
     if (w->e->guide)
         guide_add_surface(w->e, w->throughput, &scatter, depth_at(w, s.point));
-    sampler_pair(&w->e->sampler, quad_of(w, 1), 0, numbers);
-    sampler_pair(&w->e->sampler, quad_of(w, 1), 2, numbers + 2);
-    if (scatter.black || w->bounce >= (given ? given : TIA_BOUNCES_MAX) || !survives(w, numbers[2]))
+    if (scatter.black || w->bounce >= (given ? given : TIA_BOUNCES_MAX) || !survives(w))
         return false;
     if (scatter.rough)
-        look_for_light(w, &scatter, numbers[1]);
-    return bounce(w, &scatter, numbers) && (w->throughput[0] > 0 || w->throughput[1] > 0 || w->throughput[2] > 0);
+        look_for_light(w, &scatter);
+    return bounce(w, &scatter) && (w->throughput[0] > 0 || w->throughput[1] > 0 || w->throughput[2] > 0);
 }
 
 const struct path_view *path_view_of(const struct tia_view *view)
