@@ -74,12 +74,21 @@ static void add_sights(struct path_state *f, unsigned lanes, const struct paths 
     add_part(f, lanes, p, part, e);
 }
 
-/* Chooses each lane's emitter, and the random numbers of a point on it. */
-LANE_OP void choose_emitters(const struct path_state *f, const struct paths *p, uint32_t which[LANES], vu u[2])
+/* Chooses each lane's emitter, and the random numbers of a point on it. After a bounce, the next direction belongs to
+ * the same quad. */
+LANE_OP void choose_emitters(struct path_state *f, unsigned lanes, const struct paths *p, uint32_t which[LANES],
+                             vu u[2])
 {
     uint64_t count = f->gather->scene->paths->emitter_count;
     struct quads quads = path_quads(f, p, 0);
+    unsigned bounced = 0;
 
+    for (int k = 0; k < LANES; k++)
+        bounced |= (unsigned)(p->r.depth[k] > 0) << k;
+    if (!f->next_known && !(lanes & ~bounced)) {
+        f->next = quads;
+        f->next_known = true;
+    }
     vu_store(which, count > 1 ? path_choice(f, p, 1) : (vu){0});
     for (int k = 0; k < LANES; k++)
         which[k] = (uint32_t)(which[k] * count >> 32);
@@ -103,7 +112,7 @@ static unsigned look_for_lights(struct path_state *f, unsigned lanes, const stru
         rough |= (unsigned)l->of[k]->rough << k & lanes;
     if (!rough || !s->paths->emitter_count)
         return lanes;
-    choose_emitters(f, p, which, u);
+    choose_emitters(f, lanes, p, which, u);
     find_sights(f, rough, which, h, u, radiance, &surface);
     struct cosines of = cosines_of(h, l, a->to, a->eto);
     vd above = v3_dot(a->to, h->geometric), ea = BOUND_OF(ABOVE, a->eto + h->eg + BOUND(COSINE));

@@ -44,6 +44,8 @@ struct path_state {
     struct shadow shadow;
     struct response response;
     struct paths paths;
+    struct quads next; /* of the packet's next directions, if next_known */
+    bool next_known;
     struct sure_gather *gather;
     uint32_t blocker;
     uint32_t seed[SURE_GATHERED]; /* seed of each sample's pixel */
@@ -93,12 +95,23 @@ LANE_OP uint32_t ray_number(const struct paths *p, int k)
     return number < ESTIMATE_KNOWN ? number : ESTIMATE_KNOWN;
 }
 
+/* Stores integers in 0..2^32 - 1, given as doubles: the sum of one and 2^52 has it in its lowest bits. */
+LANE_OP void store_words(uint64_t to[LANES], vd a)
+{
+    vd sum = a + vset(4503599627370496.0);
+
+    __builtin_memcpy(to, &sum, sizeof sum);
+}
+
 /* Notes what the rays of these lanes certainly meet. */
 LANE_OP void note_hits(struct path_state *f, unsigned lanes, const struct paths *p, const struct query *q)
 {
-    double id[LANES];
+    const vd none = vset(TIA_NO_OBJECT);
+    vm light = vle(vset(LIGHT_ID), q->id), object = mand(vle(vset(0), q->id), mnot(light));
+    uint64_t met[2][LANES];
 
-    vstore(id, q->id);
+    store_words(met[0], vsel(object, q->id, none));
+    store_words(met[1], vsel(light, q->id - vset(LIGHT_ID), none));
     for (; lanes; lanes &= lanes - 1) {
         int k = __builtin_ctz(lanes);
         struct estimate_known *known = &f->gather->known[p->r.slot[k]];
@@ -106,8 +119,8 @@ LANE_OP void note_hits(struct path_state *f, unsigned lanes, const struct paths 
         if (i == ESTIMATE_KNOWN)
             continue;
         known->count = i + 1;
-        known->hit[i].object = id[k] < 0 || id[k] >= LIGHT_ID ? TIA_NO_OBJECT : (uint32_t)id[k];
-        known->hit[i].light = id[k] >= LIGHT_ID ? (uint32_t)(id[k] - LIGHT_ID) : TIA_NO_OBJECT;
+        known->hit[i].object = (uint32_t)met[0][k];
+        known->hit[i].light = (uint32_t)met[1][k];
     }
 }
 

@@ -38,11 +38,13 @@ static unsigned survivors(struct path_state *f, unsigned lanes, struct paths *p)
  * quad. */
 LANE_OP void direction_numbers(const struct path_state *f, const struct paths *p, vu u[2])
 {
+    struct quads quads = f->next;
     uint32_t quad[LANES];
 
     for (int k = 0; k < LANES; k++)
         quad[k] = p->r.depth[k] ? PATH_QUAD(p->r.depth[k], 0) : ESTIMATE_FIRST_QUAD;
-    struct quads quads = quads_of_paths(f, p->r.slot, quad);
+    if (!f->next_known)
+        quads = quads_of_paths(f, p->r.slot, quad);
     u[0] = quads_number(&quads, 2);
     u[1] = quads_number(&quads, 3);
 }
@@ -202,18 +204,19 @@ static void walk_paths(struct sure_gather *g, void *memory)
 {
     struct path_state *f = memory;
     struct paths *p = &f->paths;
-    struct quads first;
     int from = 0;
 
     path_open(f, g);
     while (!g->cancel.stopped) {
         if (from < g->count && f->count[fullest(f)] < LANES) {
-            unsigned lanes = path_start(f, from, p, &first);
+            unsigned lanes = path_start(f, from, p, &f->next);
+            f->next_known = true;
             step_paths(f, p, lanes);
             from += LANES;
             continue;
         }
         unsigned lanes = path_pop(f, p);
+        f->next_known = false;
         if (!lanes)
             return;
         step_paths(f, p, lanes);
