@@ -144,6 +144,23 @@ TEST(quotients)
     CHECK_EQ(num_div(0, 0), 0);
 }
 
+/* A power near another is within the bound that it gives, which is used to a fourth and more. */
+TEST(powers_near)
+{
+    real most = 0;
+
+    for (int i = 0; i < ROUNDS / 2; i++) {
+        num_unit d = (num_unit)random_short(62) | 1, off = -1;
+        tia_q16 e = (tia_q16)(random_bits() >> 33 >> random_bits() % 31);
+        d = i % 4 ? d : NUM_UNIT_ONE - d / 2;
+        num_unit error = num_power_near(d, e, &off) - num_power(d, e);
+        error = error < 0 ? -error : error;
+        CHECK_MSG(off >= 0 && error <= off, "%jd^%jd is off by %jd", (intmax_t)d, (intmax_t)e, (intmax_t)error);
+        most = off > 0 && (real)error / (real)off > most ? (real)error / (real)off : most;
+    }
+    CHECK_MSG(most > (real)0.25, "only %g of the bound is used", (double)most);
+}
+
 /* Powers as lengths have the bits of the version with roots, though mostly no root is computed. */
 TEST(powers_as_lengths)
 {
@@ -202,6 +219,7 @@ int main(void)
     RUN(within_has_its_edge);
     RUN(what_is_beyond);
     RUN(quotients);
+    RUN(powers_near);
     RUN(powers_as_lengths);
     RUN(exponential_functions);
     RUN(powers_and_turns);

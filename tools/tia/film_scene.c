@@ -81,13 +81,14 @@ static int prepare_view(struct film_scene *film)
     struct rotation rotation = film_rotation(options);
     int status = options->core->view_init(options->core, &film->view, film->view_memory, size, film->scene,
                                           lights->capacity, rotation.width, rotation.height, &film->job);
-    if (!status)
+    int simd = !status ? set_simd(film) : TIA_OK; /* first, so that it draws the lights' shadow maps */
+    if (!status && !simd)
         status = tia_view_set_lights(film->view, lights->array, lights->count);
     if (status)
         fail_view_reason(
             film->why, PORT_WHY, status,
             &(struct fail_view){film->scene, lights->array, lights->count, rotation.width, rotation.height});
-    return !status ? set_simd(film) : status;
+    return status ? status : simd;
 }
 
 int film_scene_begin(struct film_scene *film, const struct options *options, char *why)

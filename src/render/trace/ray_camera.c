@@ -1,5 +1,6 @@
 #include "ray_camera.h"
 
+#include "math/noinline.h"
 #include "math/trig.h"
 #include "samples/direction.h"
 #include "samples/sobol.h"
@@ -104,7 +105,8 @@ bool ray_camera_pixel(const struct ray_camera *c, int x, int y, int channel, str
 
 /* Returns the vector from the middle of the image plane to a point of the image, for the eye at `place`; `right` and
  * `down` are fractions of the image's width and height. */
-static struct num_point aside_of(const struct ray_camera *c, tia_q16 place, num_unit right, num_unit down)
+static INLINED_IN_WORDS struct num_point aside_of(const struct ray_camera *c, tia_q16 place, num_unit right,
+                                                  num_unit down)
 {
     num_length left = place ? num_length_of(c->window.left - place) : c->left;
     num_length h = left + num_times(c->across, right), v = c->bottom + c->upward - num_times(c->upward, down);
