@@ -38,13 +38,11 @@ static unsigned survivors(struct path_state *f, unsigned lanes, struct paths *p)
  * quad. */
 LANE_OP void direction_numbers(const struct path_state *f, const struct paths *p, vu u[2])
 {
-    struct quads quads = f->next;
     uint32_t quad[LANES];
 
     for (int k = 0; k < LANES; k++)
         quad[k] = p->r.depth[k] ? PATH_QUAD(p->r.depth[k], 0) : ESTIMATE_FIRST_QUAD;
-    if (!f->next_known)
-        quads = quads_of_paths(f, p->r.slot, quad);
+    struct quads quads = f->next_known ? f->next : quads_of_paths(f, p->r.slot, quad);
     u[0] = quads_number(&quads, 2);
     u[1] = quads_number(&quads, 3);
 }
