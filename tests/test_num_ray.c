@@ -144,15 +144,23 @@ TEST(quotients)
     CHECK_EQ(num_div(0, 0), 0);
 }
 
+/* Gives a base, above 1/2 in every fourth round, and an exponent of any length. */
+static void any_power(int i, num_unit *d, tia_q16 *e)
+{
+    *d = (num_unit)random_short(62) | 1;
+    *e = (tia_q16)(random_bits() >> 33 >> random_bits() % 31);
+    *d = i % 4 ? *d : NUM_UNIT_ONE - *d / 2;
+}
+
 /* A power near another is within the bound that it gives, which is used to a fourth and more. */
 TEST(powers_near)
 {
     real most = 0;
 
     for (int i = 0; i < ROUNDS / 2; i++) {
-        num_unit d = (num_unit)random_short(62) | 1, off = -1;
-        tia_q16 e = (tia_q16)(random_bits() >> 33 >> random_bits() % 31);
-        d = i % 4 ? d : NUM_UNIT_ONE - d / 2;
+        num_unit d, off = -1;
+        tia_q16 e;
+        any_power(i, &d, &e);
         num_unit error = num_power_near(d, e, &off) - num_power(d, e);
         error = error < 0 ? -error : error;
         CHECK_MSG(off >= 0 && error <= off, "%jd^%jd is off by %jd", (intmax_t)d, (intmax_t)e, (intmax_t)error);
@@ -165,9 +173,9 @@ TEST(powers_near)
 TEST(powers_as_lengths)
 {
     for (int i = 0; i < ROUNDS / 2; i++) {
-        num_unit d = (num_unit)random_short(62) | 1;
-        tia_q16 e = (tia_q16)(random_bits() >> 33 >> random_bits() % 31);
-        d = i % 4 ? d : NUM_UNIT_ONE - d / 2;
+        num_unit d;
+        tia_q16 e;
+        any_power(i, &d, &e);
         CHECK_MSG(num_power_length(d, e) == num_length_of_unit(num_power(d, e)), "%jd^%jd", (intmax_t)d, (intmax_t)e);
         num_unit whole = num_whole_power(d, e >> 16);
         if (e >> 16 && d < NUM_UNIT_ONE) {

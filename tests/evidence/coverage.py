@@ -84,9 +84,9 @@ def build_library(build, folder, sources, compiler, flags):
     shutil.rmtree(folder, ignore_errors=True)
     os.makedirs(folder)
     objects = [compiled(source, folder, compiler, flags) for source in sources]
-    others = set(glob.glob("src/**/*.c", recursive=True)) - set(sources)     # a build may have objects of former sources
-    built = [path for path in (f"{build}/q16/{source[:-2]}.o" for source in sorted(others)) if os.path.exists(path)]
-    run("ar", "rcs", f"{folder}/libtia.a", *objects, *[path for path in built if "/radio/" not in path])
+    others = sorted(set(glob.glob("src/**/*.c", recursive=True)) - set(sources))    # a build may have objects of former ones
+    built = [f"{build}/q16/{source[:-2]}.o" for source in others if "/radio/" not in source]
+    run("ar", "rcs", f"{folder}/libtia.a", *objects, *filter(os.path.exists, built))
     run(compiler, "-c", "-o", f"{folder}/exit.o", "tests/evidence/counted_exit.c")
 
 

@@ -6,9 +6,6 @@
 #include "render/trace/fog.h"
 #include "scatter.h"
 
-/* Choices at a bounce: each has a dimension of the bounce's quad of choices. */
-enum choice { CHOICE_LOBE, CHOICE_LIGHT, CHOICE_SURVIVAL, CHOICE_REFLECTION };
-
 /* A path being followed. */
 struct walk {
     struct estimate *e;
@@ -34,7 +31,7 @@ static void draw_direction(const struct walk *w, uint32_t u[2])
 }
 
 /* Returns the random number of one of a bounce's choices, see PATH_QUAD. */
-static uint32_t draw_choice(const struct walk *w, enum choice choice)
+static uint32_t draw_choice(const struct walk *w, enum path_choice choice)
 {
     const struct sampler_quad quad = sampler_quad(&w->e->sampler, quad_of(w, 1));
 

@@ -26,8 +26,10 @@ void path_radiance(struct estimate *e, const struct ray *first, num_length rgb[3
 #define PATH_SEEN (0 TIA_LIGHTS(PATH_SEEN_KIND))   /* visible to the eye or in mirrors */
 
 /* The two quads of random numbers of a bounce. Quad 0: a point of a light, and a direction, except for the first
- * bounce, whose direction is in ESTIMATE_FIRST_QUAD. Quad 1: the choices of lobe and light, roulette, and reflection by
- * glass. */
+ * bounce, whose direction is in ESTIMATE_FIRST_QUAD. Quad 1: the choices, see enum path_choice. */
 #define PATH_QUAD(bounce, which) (ESTIMATE_FIRST_QUAD + 1 + 2 * (bounce) + (which))
+
+/* The choices at a bounce: of a lobe, of a light, roulette, reflection by glass. Each has this dimension of quad 1. */
+enum path_choice { CHOICE_LOBE, CHOICE_LIGHT, CHOICE_SURVIVAL, CHOICE_REFLECTION };
 
 #endif

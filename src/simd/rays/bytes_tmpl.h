@@ -11,12 +11,12 @@
 LANE_OP uint64_t grid_bytes(const uint8_t *cells, vd index)
 {
     int64_t at[LANES];
-    vi bits = as_integers(index + vset(4503599627370496.0)); /* adding 2^52 moves the integer to the low bits */
+    vi words = whole_words(index);
     uint64_t content = 0;
 
-    __builtin_memcpy(at, &bits, sizeof at);
+    __builtin_memcpy(at, &words, sizeof at);
     for (int k = 0; k < LANES; k++)
-        content |= (uint64_t)cells[(uint32_t)at[k]] << 8 * k;
+        content |= (uint64_t)cells[at[k]] << 8 * k;
     return content;
 }
 

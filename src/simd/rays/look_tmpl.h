@@ -89,7 +89,7 @@ LANE_OP void choose_emitters(struct path_state *f, unsigned lanes, const struct 
         f->next = quads;
         f->next_known = true;
     }
-    vu_store(which, count > 1 ? path_choice(f, p, 1) : (vu){0});
+    vu_store(which, count > 1 ? path_choice(f, p, CHOICE_LIGHT) : (vu){0});
     for (int k = 0; k < LANES; k++)
         which[k] = (uint32_t)(which[k] * count >> 32);
     u[0] = quads_number(&quads, 0);

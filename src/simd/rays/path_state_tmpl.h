@@ -44,7 +44,7 @@ struct path_state {
     struct shadow shadow;
     struct response response;
     struct paths paths;
-    struct quads next; /* of the packet's next directions, if next_known */
+    struct quads next; /* those of the packet's next directions, if next_known */
     bool next_known;
     struct sure_gather *gather;
     uint32_t blocker;
@@ -95,23 +95,16 @@ LANE_OP uint32_t ray_number(const struct paths *p, int k)
     return number < ESTIMATE_KNOWN ? number : ESTIMATE_KNOWN;
 }
 
-/* Stores integers in 0..2^32 - 1, given as doubles: the sum of one and 2^52 has it in its lowest bits. */
-LANE_OP void store_words(uint64_t to[LANES], vd a)
-{
-    vd sum = a + vset(4503599627370496.0);
-
-    __builtin_memcpy(to, &sum, sizeof sum);
-}
-
 /* Notes what the rays of these lanes certainly meet. */
 LANE_OP void note_hits(struct path_state *f, unsigned lanes, const struct paths *p, const struct query *q)
 {
     const vd none = vset(TIA_NO_OBJECT);
     vm light = vle(vset(LIGHT_ID), q->id), object = mand(vle(vset(0), q->id), mnot(light));
-    uint64_t met[2][LANES];
+    const vi words[2] = {whole_words(vsel(object, q->id, none)),
+                         whole_words(vsel(light, q->id - vset(LIGHT_ID), none))};
+    int64_t met[2][LANES];
 
-    store_words(met[0], vsel(object, q->id, none));
-    store_words(met[1], vsel(light, q->id - vset(LIGHT_ID), none));
+    __builtin_memcpy(met, words, sizeof met);
     for (; lanes; lanes &= lanes - 1) {
         int k = __builtin_ctz(lanes);
         struct estimate_known *known = &f->gather->known[p->r.slot[k]];
@@ -214,11 +207,11 @@ LANE_OP struct quads path_quads(const struct path_state *f, const struct paths *
     return quads_of_paths(f, p->r.slot, quad);
 }
 
-LANE_OP vu path_choice(const struct path_state *f, const struct paths *p, unsigned dimension)
+LANE_OP vu path_choice(const struct path_state *f, const struct paths *p, enum path_choice choice)
 {
     struct quads quads = path_quads(f, p, 1);
 
-    return quads_number(&quads, dimension);
+    return quads_number(&quads, choice);
 }
 
 /* Computes a camera ray by the fixed-point code: its origin, and a vector of any length along it. The camera's window
@@ -238,6 +231,7 @@ static void camera_ray(const struct ray_camera *camera, struct light_pixel pixel
     sure_dir(way, ray.direction);
 }
 
+/* Sets the camera rays of a packet. */
 static void first_paths(const struct path_state *f, struct paths *p, const struct quads *first)
 {
     const struct sure_gather *g = f->gather;

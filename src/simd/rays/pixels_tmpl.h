@@ -23,16 +23,15 @@ LANE_OP vd level_of(vd mean, vd error, double levels, vd threshold, vm *one)
     return low;
 }
 
-/* Packs LANES pixels, beginning with pixel `first` of the block. The sum of a pixel and 2^52 has the pixel in its
- * lowest bits. */
+/* Packs LANES pixels, beginning with pixel `first` of the block. */
 LANE_OP void pack_pixels(struct sure_block *b, const vd mean[3], vd error, int first)
 {
     const vd threshold = vload(&b->threshold[first]);
     vd sum = BOUND_OF(PIXEL_ERROR, error) + BOUND(PIXEL_MEAN);
     vm one = vlt(sum, vset(1));
     vd r = level_of(mean[0], sum, 31, threshold, &one), g = level_of(mean[1], sum, 63, threshold, &one);
-    vd blue = level_of(mean[2], sum, 31, threshold, &one),
-       pixel = (r * 2048 + g * 32 + blue) + vset(4503599627370496.0);
+    vd blue = level_of(mean[2], sum, 31, threshold, &one);
+    vi pixel = whole_words(r * 2048 + g * 32 + blue);
     unsigned fine = mbits(one);
     int64_t bits[LANES];
 

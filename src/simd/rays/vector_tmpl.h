@@ -2,7 +2,7 @@
  *
  * Parameters: the doubles of isa/isa.h. Defines: struct v3 and its operations v3_*(), v3_unit(), root_error(),
  * vgather(), vfloor(), vload(), vstore(), vpacked(), lane_of(), lane_at(), vspread(), v3_spread(), any(), mnone(),
- * as_integers(), as_doubles(), most3(), EACH_LANE(), INFINITE. */
+ * as_integers(), as_doubles(), whole_words(), most3(), EACH_LANE(), INFINITE. */
 #ifndef TIA_SIMD_RAYS_VECTOR_TMPL_H
 #define TIA_SIMD_RAYS_VECTOR_TMPL_H
 
@@ -28,6 +28,12 @@ LANE_OP vd as_doubles(vi i)
 
     __builtin_memcpy(&a, &i, sizeof a);
     return a;
+}
+
+/* Returns integers in 0..2^32 - 1, given as doubles: adding 1.5 2^52 moves them to the lowest bits. */
+LANE_OP vi whole_words(vd a)
+{
+    return as_integers(a + vset(6755399441055744.0)) & INT64_C(0xffffffff);
 }
 
 /* Returns the floor of x, |x| < 2^51: adding 1.5 2^52 rounds x to nearest, and 1 is subtracted if the result is above

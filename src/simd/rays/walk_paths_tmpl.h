@@ -26,7 +26,7 @@ static unsigned survivors(struct path_state *f, unsigned lanes, struct paths *p)
     if (!any(open))
         return lanes;
     high = vsel(vlt(high, largest), high, all);
-    vd number = vu_number(path_choice(f, p, 2));
+    vd number = vu_number(path_choice(f, p, CHOICE_SURVIVAL));
     vm ends = mand(open, vle(high, number)), stays = mand(open, vlt(number, low));
     lanes = sure_of(f, lanes & ~mbits(ends), mand(open, mnot(mor(ends, stays))), p->r.slot);
     vm small =
@@ -130,7 +130,7 @@ static void bounce_paths(struct path_state *f, unsigned lanes, const struct path
         scatter_paths(f, lanes, 0, p, h, l);
         return;
     }
-    vu_store(number, path_choice(f, p, 0));
+    vu_store(number, path_choice(f, p, CHOICE_LOBE));
     for (int k = 0; k < LANES; k++) {
         const uint32_t *below = l->of[k]->below;
         unsigned bit = 1u << k & lanes;
@@ -150,7 +150,7 @@ static void bounce_paths(struct path_state *f, unsigned lanes, const struct path
     if (mirror & ~open)
         reflect_paths(f, mirror & ~open, p, h, l);
     if (glass & ~open)
-        enter_glass(f, glass & ~open, p, h, l, path_choice(f, p, 3));
+        enter_glass(f, glass & ~open, p, h, l, path_choice(f, p, CHOICE_REFLECTION));
 }
 
 /* Returns the lanes whose paths continue; samples whose lobes are undecided become undecided. */

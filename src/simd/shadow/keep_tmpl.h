@@ -42,12 +42,6 @@ LANE_OP vd whole_doubles(vi a)
     return as_doubles(a + bits) - vset(base);
 }
 
-/* Returns integers in 0..2^32 - 1, given as doubles. */
-LANE_OP vi whole_words(vd a)
-{
-    return as_integers(a + vset(NEAREST)) & INT64_C(0xffffffff);
-}
-
 /* Returns 2^exponent; false if that is far from 1. */
 static bool two_to(int exponent, double *power)
 {
